@@ -8,7 +8,8 @@ void add_device_options(CLI::App& app, DeviceChoice& choice) {
   CLI::Option* const device =
       app.add_option("--device", choice.device,
                      "what evaluates: reference (default), model, rtl, or a board behind a serial "
-                     "line, such as serial:/dev/ttyUSB0, or a core under Linux, uio:0");
+                     "line, such as serial:/dev/ttyUSB0, a core under Linux, uio:0, or one that a "
+                     "process serves, socket:PATH");
   app.add_option(
          "--org", choice.org,
          "organization of a model, rtl or board: basic (default; of a board what it has as it "

@@ -457,7 +457,7 @@ class Command(CommandTest):
 
     def test_info_of_the_build(self):
         devices = json.loads(self.good("info", "--json", "-"))["devices"]
-        self.assertEqual(sorted(devices), ["model", "reference", "rtl", "serial:PATH", "uio:N"])
+        self.assertEqual(sorted(devices), ["model", "reference", "rtl", "serial:PATH", "socket:PATH", "uio:N"])
         self.assertLessEqual(set(devices["rtl"]), set(devices["model"]))
         self.assertIn("basic-fp32-overlapped", devices["rtl"])
         self.assertIn("basic-fp32-overlapped", self.good("info"))

@@ -83,7 +83,8 @@ int hwffd_lattice_deform(hwffd_lattice* lattice, const char* deformation);
 
 /**
  * What evaluates: "reference" (at first), for which the other words mean nothing, "model", "rtl",
- * a board, "serial:/dev/ttyUSB0", or a core under Linux, "uio:0" (docs/hwffd.md).
+ * a board, "serial:/dev/ttyUSB0", a core under Linux, "uio:0",
+ * or one that a process serves, "socket:PATH" (docs/hwffd.md).
  * @param organization  "basic" (at first), "cg3", "factored/3", ..., or a row of `hwffd info`;
  * NULL: as at first, or what the board has
  * @param format        "fp32" (at first), "bfp32", "fx18", "fx32"; NULL: as at first, or as the row

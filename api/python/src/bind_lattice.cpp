@@ -363,7 +363,8 @@ void bind_lattice(py::module_& module) {
            "Whether the deformed lattice folds space: \"proved\" not to, or where.")
       .def("set_device", &set_device, py::arg("device"), py::arg("org") = "",
            py::arg("format") = "", py::arg("pages") = 0, py::arg("axis_points") = kAxisPoints,
-           "model, rtl, reference, or a board, serial:/dev/ttyUSB0 or uio:0; pages and axis_points "
+           "model, rtl, reference, or a board, serial:/dev/ttyUSB0, uio:0 or socket:PATH; pages "
+           "and axis_points "
            "are those of a model's core: lattices "
            "that it keeps, and most points of one along an axis")
       .def("set_outside", &set_outside, py::arg("outside"),

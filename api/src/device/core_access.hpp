@@ -42,4 +42,21 @@ struct UioFolders {
 /// @throws Error where one of them is not there, or not as it should be
 std::unique_ptr<CoreAccess> uio_access(const std::string& number, const UioFolders& folders = {});
 
+/// What a program asks of the process that serves a core, over a socket of this machine: 32 bytes
+/// as they lie in memory. The first that the process says is address() and bytes(), two words of 64
+/// bits; it answers kRead with 32 bits, kGet with 16 bytes, kWait with 32 bits, not 0 where the
+/// interrupt came, and nothing else.
+struct CoreRequest {
+  enum Kind : std::uint32_t { kRead, kWrite, kPut, kGet, kExpect, kWait };
+  std::uint32_t kind;
+  std::uint32_t offset;     ///< of a register
+  std::uint64_t place;      ///< offset in the buffer; of kWait milliseconds
+  CoreAccess::Words words;  ///< what is written; of a register the first
+};
+static_assert(sizeof(CoreRequest) == 32);
+
+/// A core that another process serves, at the socket (AF_UNIX, a stream) of that path.
+/// @throws Error where nobody listens, answers or is there any more
+std::unique_ptr<CoreAccess> socket_access(const std::string& path);
+
 }  // namespace hwffd

@@ -27,7 +27,7 @@ const char* const kNoHardware =
 
 bool is_there(const std::string& kind, const Configuration& row) {
   if (!overlaps(row)) return false;
-  return kind == "model" || kind == "serial" || kind == "uio" ||
+  return kind == "model" || kind == "serial" || kind == "uio" || kind == "socket" ||
          (kind == "rtl" && cores::has_stream_core(row));
 }
 
@@ -214,22 +214,37 @@ void refuse_store(const char* device, const DeviceChoice& choice) {
       "device {}: its core has the pages and points an axis that it has; leave both out", device));
 }
 
-/// A core behind UIO, which says which row it is.
+/// A core behind registers and DMA, which says which row it is.
+/// @param reach  what `where` of that kind names
+template <class Reach>
+std::unique_ptr<Device> register_device(const std::string& kind, const std::string& where,
+                                        const DeviceChoice& choice, const Reach& reach) {
+  refuse_store(kind.c_str(), choice);
+  const Configuration* wanted = nullptr;
+  if (!choice.org.empty() || !choice.format.empty()) {
+    DeviceChoice row_choice = choice;
+    row_choice.device = kind;
+    if (choice.org.empty()) row_choice.org = "basic";
+    wanted = &row_of(row_choice);
+  }
+  const std::string name = kind + ":" + where;
+  UioCore core = uio_core(name, reach(where), wanted);
+  return std::make_unique<StreamDevice>(name, *core.row, std::move(core.stream));
+}
+
 std::unique_ptr<Device> uio_device(const std::string& number, const DeviceChoice& choice) {
   if (number.empty() || number.find_first_not_of("0123456789") != std::string::npos) {
     throw UsageError("device uio: needs the number of its file, such as uio:0 for /dev/uio0");
   }
-  refuse_store("uio", choice);
-  const Configuration* wanted = nullptr;
-  if (!choice.org.empty() || !choice.format.empty()) {
-    DeviceChoice row_choice = choice;
-    row_choice.device = "uio";
-    if (choice.org.empty()) row_choice.org = "basic";
-    wanted = &row_of(row_choice);
+  return register_device("uio", number, choice,
+                         [](const std::string& where) { return uio_access(where); });
+}
+
+std::unique_ptr<Device> socket_device(const std::string& path, const DeviceChoice& choice) {
+  if (path.empty()) {
+    throw UsageError("device socket: needs the path of a socket, such as socket:/tmp/core");
   }
-  const std::string name = "uio:" + number;
-  UioCore core = uio_core(name, uio_access(number), wanted);
-  return std::make_unique<StreamDevice>(name, *core.row, std::move(core.stream));
+  return register_device("socket", path, choice, socket_access);
 }
 
 /// A board behind a serial line. Any row may be in its bitstream; what is not said is the ULX3S's.
@@ -453,7 +468,7 @@ const std::vector<std::string>& device_kinds() {
 }
 
 const std::vector<std::string>& board_kinds() {
-  static const std::vector<std::string> kinds{"serial:PATH", "uio:N"};
+  static const std::vector<std::string> kinds{"serial:PATH", "uio:N", "socket:PATH"};
   return kinds;
 }
 
@@ -473,6 +488,9 @@ std::unique_ptr<Device> make_device(const DeviceChoice& asked) {
   }
   if (const std::optional<std::string> number = behind(asked.device, "uio:")) {
     return uio_device(*number, asked);
+  }
+  if (const std::optional<std::string> path = behind(asked.device, "socket:")) {
+    return socket_device(*path, asked);
   }
   check_kind(asked.device, every_kind());
   DeviceChoice choice = asked;

@@ -152,8 +152,9 @@ void check_cell(const Index3& cell, const Index3& cells, std::size_t vertex);
 
 /// Which device is wanted, in words.
 struct DeviceChoice {
-  /// "reference", "model", "rtl", or a board: "serial:" and the path of its line,
-  /// or "uio:" and the number of its file /dev/uioN.
+  /// "reference", "model", "rtl", or a board: "serial:" and the path of its line, "uio:" and the
+  /// number of its file /dev/uioN, or "socket:" and the path of the socket at which a process
+  /// serves a core.
   std::string device = "reference";
   /// Of all but the reference: an organization, basic, cg1, tree4, factored/3, ..., or the name of
   /// one of device_rows(), such as basic-fp32-overlapped-fmac. Empty for basic, or for what the
@@ -175,7 +176,7 @@ struct DeviceChoice {
 const std::vector<std::string>& device_kinds();
 
 /// Those of boards, with words in capitals for what names one of them: "serial:PATH",
-/// "uio:N".
+/// "uio:N", "socket:PATH".
 const std::vector<std::string>& board_kinds();
 
 /// The rows of the table, overlapped, that a kind of device has in this build: all for a model,
