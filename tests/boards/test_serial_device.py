@@ -16,7 +16,8 @@ import subprocess
 import sys
 import unittest
 
-from tests.support.program import FAILURE, USAGE, ProgramTest
+from tests.support.deformed_files import DeviceTest, cloud
+from tests.support.program import FAILURE, USAGE
 from tools.project_root import ROOT
 
 BOARD = pathlib.Path(sys.argv.pop(1)).resolve()  # behind the program, which that import takes
@@ -31,10 +32,6 @@ def sheet():
         if at % SIDE:
             lines.append(f"f {at} {at + SIDE} {at + 1}")
     return "\n".join(lines) + "\n"
-
-
-def cloud():
-    return "".join(f"{n % 7} {n % 11} {n % 13}\n" for n in range(300))
 
 
 def rows():
@@ -54,27 +51,11 @@ def board(name, *words):
             process.wait()
 
 
-class SerialDevice(ProgramTest):
-    name = "hwffd"
+class SerialDevice(DeviceTest):
     given = {"sheet.obj": sheet(), "cloud.xyz": cloud()}
     scenes = (("sheet.obj", "out.obj", "--lattice", "box", "--deform", "twist:70"),
               ("cloud.xyz", "out.xyz", "--lattice", "box", "--deform", "bend:30"),
               ("cloud.xyz", "out.xyz", "--lattice", "box", "--dims", "20x5x4", "--deform", "random:3"))
-
-    def deform(self, scene, *device):
-        source, out, *words = scene
-        result = self.call("deform", source, *words, "-o", out, "--device", *device)
-        path = self.folder / out
-        if not path.exists():
-            return result, None
-        data = path.read_bytes()
-        path.unlink()
-        return result, data
-
-    def refused(self, scene, status, words, *device):
-        result, data = self.deform(scene, *device)
-        self.assertIsNone(data)
-        self.assert_refused(result, status, words)
 
     def test_the_files_of_the_model(self):
         with board("ulx3s") as line:

@@ -14,28 +14,20 @@
 #include <cstdint>
 #include <cstdio>
 #include <limits>
-#include <memory>
 #include <stdexcept>
 #include <string>
 
 #include "device/core_access.hpp"
-#include "hwffd/cores/axi_core_factory.hpp"
-#include "hwffd/tb/axi_system.hpp"
+#include "simulated_core.hpp"
 
 namespace hwffd::test {
 namespace {
 
-constexpr std::uint64_t kAddress = 0x1'4000'0000;
-constexpr std::uint64_t kBytes = 2 << 20;
-constexpr std::uint64_t kLatestInterrupt = 3'000'000;  // clocks
+constexpr std::uint64_t kAddress = SimulatedCore::kAddress;
 
 class Server {
  public:
-  explicit Server(const Configuration& row)
-      : core_(cores::make_axi_core(row, 5)), system_(*core_, 5) {
-    const AddressWindow buffer{kAddress, kAddress + kBytes - 1};
-    system_.allow(buffer, buffer);
-  }
+  explicit Server(const Configuration& row) : core_(row) {}
 
   void listen_at(const std::string& path) {
     sockaddr_un place{};
@@ -51,7 +43,7 @@ class Server {
     std::fflush(stdout);
     client_ = accept(listening, nullptr, nullptr);
     close(listening);
-    const std::array<std::uint64_t, 2> buffer{kAddress, kBytes};
+    const std::array<std::uint64_t, 2> buffer{kAddress, SimulatedCore::kBytes};
     answer(&buffer, sizeof(buffer));
   }
 
@@ -63,39 +55,30 @@ class Server {
     close(client_);
   }
 
-  std::string faults() { return system_.faults(); }
+  std::string faults() { return core_.system.faults(); }
 
  private:
   void serve(const CoreRequest& request) {
     switch (request.kind) {
       case CoreRequest::kRead: {
-        const std::uint32_t value = system_.read32(request.offset);
+        const std::uint32_t value = core_.system.read32(request.offset);
         return answer(&value, sizeof(value));
       }
       case CoreRequest::kWrite:
-        return system_.write32(request.offset, request.words[0]);
+        return core_.system.write32(request.offset, request.words[0]);
       case CoreRequest::kPut:
-        return system_.memory.set_beat(kAddress + request.place, request.words);
+        return core_.system.memory.set_beat(kAddress + request.place, request.words);
       case CoreRequest::kGet: {
-        const CoreAccess::Words words = system_.memory.beat(kAddress + request.place);
+        const CoreAccess::Words words = core_.system.memory.beat(kAddress + request.place);
         return answer(&words, sizeof(words));
       }
       case CoreRequest::kWait: {
-        const std::uint32_t came = interrupt_comes() ? 1 : 0;
+        const std::uint32_t came = core_.interrupt_within(SimulatedCore::kLatestInterrupt) ? 1 : 0;
         return answer(&came, sizeof(came));
       }
       default:
         return;  // kExpect: the line is looked at, not its edges
     }
-  }
-
-  bool interrupt_comes() {
-    constexpr std::uint64_t kStep = 100;
-    for (std::uint64_t clock = 0; clock < kLatestInterrupt; clock += kStep) {
-      system_.run(kStep);
-      if (system_.interrupt()) return true;
-    }
-    return false;
   }
 
   void answer(const void* data, std::size_t bytes) const {
@@ -117,8 +100,7 @@ class Server {
     return true;
   }
 
-  std::unique_ptr<cores::AxiCore> core_;
-  tb::AxiSystem system_;
+  SimulatedCore core_;
   int client_ = -1;
 };
 

@@ -12,20 +12,17 @@ import subprocess
 import sys
 import unittest
 
-from tests.support.program import FAILURE, USAGE, ProgramTest
+from tests.support.deformed_files import DeviceTest, cloud
+from tests.support.program import FAILURE, USAGE
 
 SERVER = pathlib.Path(sys.argv.pop(1)).resolve()  # behind the program, which that import takes
 ROWS = ("basic-fx18-overlapped", "basic-fp32-overlapped")
 
 
-def cloud():
-    return "".join(f"{n % 7} {n % 11} {n % 13}\n" for n in range(300))
-
-
-class SocketDevice(ProgramTest):
-    name = "hwffd"
+class SocketDevice(DeviceTest):
     given = {"cloud.xyz": cloud()}
-    scenes = (("--lattice", "box", "--deform", "bend:30"), ("--lattice", "box", "--dims", "20x5x4", "--deform", "random:3"))
+    scenes = (("cloud.xyz", "out.xyz", "--lattice", "box", "--deform", "bend:30"),
+              ("cloud.xyz", "out.xyz", "--lattice", "box", "--dims", "20x5x4", "--deform", "random:3"))
 
     @contextlib.contextmanager
     def served(self, row, *words):
@@ -37,15 +34,6 @@ class SocketDevice(ProgramTest):
             yield f"socket:{path}", ended
             ended.append(process.wait())
         path.unlink()
-
-    def deform(self, scene, *device):
-        result = self.call("deform", "cloud.xyz", *scene, "-o", "out.xyz", "--device", *device)
-        path = self.folder / "out.xyz"
-        if not path.exists():
-            return result, None
-        data = path.read_bytes()
-        path.unlink()
-        return result, data
 
     def test_the_files_of_the_model(self):
         for row in ROWS:
@@ -61,9 +49,8 @@ class SocketDevice(ProgramTest):
         for requests in 1, 40, 400:
             with self.subTest(requests=requests):
                 with self.served(ROWS[0], requests) as (device, _):
-                    result, data = self.deform(self.scenes[0], device)
-                self.assertIsNone(data)
-                self.assert_refused(result, FAILURE, ("socket:", "has ended"))
+                    deformed = self.deform(self.scenes[0], device)
+                self.assert_no_file(deformed, FAILURE, ("socket:", "has ended"))
 
     def test_what_is_refused(self):
         for device, status, words in (
@@ -71,13 +58,10 @@ class SocketDevice(ProgramTest):
                 ((f"socket:{self.folder}/away",), FAILURE, ("is the process there",)),
                 ((f"socket:{self.folder}/cloud.xyz",), FAILURE, ("is the process there",)),
                 ((f"socket:{'x' * 200}",), FAILURE, ("longer than 107 bytes",))):
-            result, data = self.deform(self.scenes[0], *device)
-            self.assertIsNone(data)
-            self.assert_refused(result, status, words)
+            self.refused(self.scenes[0], status, words, *device)
         with self.served(ROWS[0]) as (device, _):
-            result, data = self.deform(self.scenes[0], device, "--org", ROWS[1])
-        self.assertIsNone(data)
-        self.assert_refused(result, FAILURE, (f"is not {ROWS[1]}",))
+            deformed = self.deform(self.scenes[0], device, "--org", ROWS[1])
+        self.assert_no_file(deformed, FAILURE, (f"is not {ROWS[1]}",))
 
 
 if __name__ == "__main__":

@@ -11,34 +11,21 @@
 #include "device/core_access.hpp"
 #include "device/row_question.hpp"
 #include "device/uio_stream.hpp"
-#include "hwffd/cores/axi_core_factory.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/around.hpp"
 #include "hwffd/lattice/deformation.hpp"
 #include "hwffd/registers.h"
 #include "hwffd/stream/packets.hpp"
-#include "hwffd/tb/axi_system.hpp"
+#include "simulated_core.hpp"
 #include "temp_folder.hpp"
 
 namespace hwffd {
 namespace {
 
-constexpr std::uint64_t kAddress = 0x1'4000'0000;
-constexpr std::uint64_t kBytes = 2 << 20;
-constexpr std::uint64_t kLatestInterrupt = 3'000'000;  // clocks
-
 /// What is wrong with an access, and what it was used for.
-struct Board {
-  explicit Board(const Configuration& row) : core(cores::make_axi_core(row, 5)), system(*core, 5) {
-    allow(kAddress);
-  }
-  void allow(std::uint64_t base) {
-    const AddressWindow buffer{base, base + kBytes - 1};
-    system.allow(buffer, buffer);
-  }
+struct Board : test::SimulatedCore {
+  using SimulatedCore::SimulatedCore;
 
-  std::unique_ptr<cores::AxiCore> core;
-  tb::AxiSystem system;
   std::uint64_t address = kAddress;
   std::uint64_t bytes = kBytes;
   std::uint32_t wrong_bits = 0;  // of the register there
@@ -70,14 +57,9 @@ class SimulatedAccess final : public CoreAccess {
   }
   void expect_interrupt() override { EXPECT_FALSE(board_.system.interrupt()); }
   bool wait_interrupt(Milliseconds /*patience*/) override {
-    constexpr std::uint64_t kStep = 100;
-    for (std::uint64_t clock = 0; clock < board_.latest_interrupt; clock += kStep) {
-      board_.system.run(kStep);
-      if (!board_.system.interrupt()) continue;
-      ++board_.interrupts;
-      return board_.interrupt_is_wired;
-    }
-    return false;
+    if (!board_.interrupt_within(board_.latest_interrupt)) return false;
+    ++board_.interrupts;
+    return board_.interrupt_is_wired;
   }
 
  private:
@@ -190,10 +172,10 @@ TEST(UioDevice, TheNextProgramGoesOn) {
     board.latest_interrupt = 0;
     EXPECT_EQ(refusal([&] { device.evaluate(lattice, vertices); }),
               "uio:0: a run has not ended after 5 s, 0 of 20 results came");
-    board.latest_interrupt = kLatestInterrupt;
+    board.latest_interrupt = Board::kLatestInterrupt;
     EXPECT_EQ(device.evaluate(lattice, vertices), expected);
   }
-  board.address += kBytes;
+  board.address += Board::kBytes;
   board.allow(board.address);
   EXPECT_NE(refusal([&] { core_of(board); }).find("windows are locked"), std::string::npos);
 }

@@ -30,6 +30,8 @@ def cmake_text(configurations, tiered, streams, buses, selected):
     lines.append(f"set(HWFFD_USUAL_FEATURES {features.USUAL})")
     lines.append(f"set(HWFFD_FEATURES {' '.join(features.BITS)})")
     lines += [f"set(HWFFD_FEATURE_{name} {bit})" for name, bit in features.BITS.items()]
+    lines += [f"set(HWFFD_FOLLOWS {' '.join(features.FOLLOWS)})"]
+    lines += [f"set(HWFFD_FOLLOWS_{name} {parameter} {most})" for name, (parameter, most) in features.FOLLOWS.items()]
     lines += [f"set(HWFFD_PARAMETER_OF_{name} {parameter})" for name, parameter in features.PARAMETERS.items()]
     return "\n".join(lines) + "\n"
 

@@ -11,8 +11,8 @@ BITS = {field.name: field.mask for field in register_texts.features(registers.re
 CORES = ("hwffd_stream", "hwffd_stream_bus", "hwffd_axi", "hwffd_wishbone", "hwffd_adjoint")  # whose parameters they are
 USUAL = "resident+interleaved+derivatives+determinant"  # of rows of tables that do not say
 
-_FOLLOW = {"large": lambda parameters: parameters["AXIS"] > 32, "spans": lambda parameters: parameters["SPANS"] > 1}
-PARAMETERS = {name: "PAGED" if name == "pages" else name.upper() for name in BITS if name not in _FOLLOW}
+FOLLOWS = register_texts.FOLLOWS  # name -> a parameter, and above which value of it a core has the feature
+PARAMETERS = {name: register_texts.parameter(name) for name in BITS if name not in FOLLOWS}
 
 
 def value(text, where):
@@ -31,13 +31,16 @@ def parameters_of(number):
 
 
 def has(parameters, name):
-    """Whether a core with these parameters has a feature."""
-    return _FOLLOW[name](parameters) if name in _FOLLOW else parameters[PARAMETERS[name]] != 0
+    """Whether a core with these parameters has a feature; one that follows from a parameter needs it to be given."""
+    if name in FOLLOWS:
+        parameter, most = FOLLOWS[name]
+        return parameters.get(parameter, most) > most
+    return parameters[PARAMETERS[name]] != 0
 
 
 def followed(text):
     """Of such names those that are no parameter, since they follow from others."""
-    return [name for name in text.split("+") if name in _FOLLOW]
+    return [name for name in text.split("+") if name in FOLLOWS]
 
 
 def names_of(parameters):
@@ -57,7 +60,7 @@ def of_top(top, parameters):
         return parameters
     others = {name: number for name, number in parameters.items() if name != "FEATURES"}
     wanted = parameters.get("FEATURES", value(USUAL, "USUAL"))
-    for name in _FOLLOW:
-        if _FOLLOW[name]({"AXIS": 16, "SPANS": 1, **others}) != (wanted & BITS[name] != 0):
+    for name in FOLLOWS:
+        if has(others, name) != (wanted & BITS[name] != 0):
             raise TableError(f"{top}: FEATURES have {name} where, and only where, {register_texts.condition(name)}")
     return {**others, **{name: has for name, has in parameters_of(wanted).items() if name not in others}}

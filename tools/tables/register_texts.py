@@ -84,9 +84,18 @@ def features(registers):
     return [field for register in registers if register.name == "FEATURES" for field in register.fields]
 
 
+# Features that follow from a parameter: where it is above a number.
+FOLLOWS = {"large": ("AXIS", 32), "spans": ("SPANS", 1)}
+
+
+def parameter(feature):
+    """The parameter of the tops, 0 or 1, that is a feature which follows from no other."""
+    return "PAGED" if feature == "pages" else feature.upper()
+
+
 def condition(feature):
     """When a core has a feature, of its parameters."""
-    return {"large": "AXIS > 32", "spans": "SPANS > 1", "pages": "PAGED != 0"}.get(feature, f"{feature.upper()} != 0")
+    return "{} > {}".format(*FOLLOWS[feature]) if feature in FOLLOWS else f"{parameter(feature)} != 0"
 
 
 def features_rtl_text(registers):
