@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim web hwffd glapi plates mass-spring soc synth synth-check synth-baseline structure boards pnr docs test test-all random lint clean
+.PHONY: help sim web hwffd glapi plates mass-spring soc synth synth-check synth-baseline structure boards pnr docs test test-all fuzz random lint clean
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing =
@@ -47,6 +47,7 @@ help:
 	@echo 'Check it'
 	@echo '  make test           build the tests and run them'
 	@echo '  make test-all       every configuration, and the long tests'
+	@echo '  make fuzz           readers of files on broken input, under sanitizers'
 	@echo '  make lint           Verilator, Icarus, yosys, clang, ruff and text rules: no warning is allowed'
 	@echo '  make random         N= cores of random parameters on random packets, from SEED= on'
 	@echo 'Build hardware'
@@ -169,14 +170,21 @@ test:
 	$(INSTALL) test
 	$(CONFIGURE)
 	$(COMPILE)
-	@$(RUN_TESTS) -L '^test$$'
+	@$(call run_tests,tests) -L '^test$$'
 
 test-all: override TIER = all
 test-all:
 	$(INSTALL) test-all
 	$(CONFIGURE)
 	$(COMPILE)
-	@$(RUN_TESTS) -L '^(test|all)$$'
+	@$(call run_tests,tests) -L '^(test|all|fuzz)$$'
+
+# Not beside the tests: readers are compiled a second time, for the sanitizers.
+fuzz:
+	$(INSTALL) build
+	$(CONFIGURE)
+	$(COMPILE) --target hwffd_fuzz
+	@$(call run_tests,fuzz) -L '^fuzz$$'
 
 random:
 	$(INSTALL) build engines

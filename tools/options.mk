@@ -38,6 +38,6 @@ arguments = $(foreach o,$1,$(if $(call given,$(call variable_of,$o)), \
 numbers = @$(foreach v,$1,$(if $(call given,$v),case "$$HWFFD_GIVEN_$v" in (''|*[!0-9.]*|*.*.*) \
   echo "make: $v=$$HWFFD_GIVEN_$v: a number is wanted" >&2; exit 2 ;; esac;)) :
 
-# How tests run: make's last lines are ctest's.
-RUN_TESTS = python3 -B -m tools.checks.run_tests $(BUILD)/reports/tests.xml ctest --test-dir $(BUILD) --no-tests=error --output-on-failure \
-            --output-junit reports/tests.xml --test-output-size-passed 65536 -j $(JOBS)
+# How tests run, with the name of their report: make's last lines are ctest's.
+run_tests = python3 -B -m tools.checks.run_tests $(BUILD)/reports/$1.xml ctest --test-dir $(BUILD) --no-tests=error --output-on-failure \
+            --output-junit reports/$1.xml --test-output-size-passed 65536 -j $(JOBS)
