@@ -83,7 +83,9 @@ class ScatterCore : public ::testing::Test {
     bench_.load(bank, functions);
   }
 
-  /// So many clocks of vertices, begins and collects of any page at once; then all is collected.
+  /// So many clocks of vertices, begins and collects of any page at once; then all is collected. A
+  /// sweep has only what vertices leave, so a begin that waits long for one keeps them out, as the
+  /// order of packets does.
   /// @param operations  how often one of them is wanted, in a clock
   /// @param of_begins   how many of these are begins
   void run(std::uint64_t clocks, const std::string& source_name, const std::string& sink_name,
@@ -91,8 +93,11 @@ class ScatterCore : public ::testing::Test {
     auto source = tb::make_throttle(source_name, random_.bits());
     auto sink = tb::make_throttle(sink_name, random_.bits());
     std::optional<std::pair<int, bool>> pending;  // of a page: whether it begins or is collected
+    constexpr std::uint64_t kLong = 2000;
+    std::uint64_t since = 0;
     const std::uint64_t end = bench_.clocks() + clocks;
     while (bench_.clocks() < end || pending) {
+      if (!pending) since = bench_.clocks();
       if (!pending && random_.chance(operations)) {
         pending = {static_cast<int>(random_.below(S::kPages)), random_.chance(of_begins)};
       }
@@ -106,7 +111,7 @@ class ScatterCore : public ::testing::Test {
       }
       if (source.willing() && !bench_.offering()) {
         const auto page = static_cast<int>(random_.below(S::kPages));
-        const bool waits = pending && pending->first == page;
+        const bool waits = pending && (pending->first == page || bench_.clocks() - since > kLong);
         if (!bench_.planned() && !waits && !bench_.collected(page)) bench_.plan(page);
         if (bench_.planned()) bench_.offer_planned();
       }
