@@ -122,11 +122,15 @@ def _bits(field):
     return f"{high}" if high == field.low else f"{high}:{field.low}"
 
 
+# What the tops call a parameter of the registers.
+_PARAMETERS = {"WAITS": "COUNT_WIDTH"}
+
+
 def _markdown_link(field):
     words = {"locked": "locked by", "unless": "refused while", "needs": "needs",
              "refused": "refused: sets",
-             "with": "set with", "sets": "sets", "if": "there with parameter"}
-    return "; ".join(f"{words[kind]} `{target}`" for kind, target in field.links
+             "with": "set with", "sets": "sets", "if": "with"}
+    return "; ".join(f"{words[kind]} `{_PARAMETERS.get(target, target)}`" for kind, target in field.links
                      if kind != "sets")
 
 
