@@ -136,20 +136,20 @@ def _markdown_link(field):
 
 def docs_text(registers, preamble):
     """The page: the preamble, then one table, in which a register's first field has its offset and name."""
-    lines = [preamble.rstrip("\n"), "", "| offset | register | bits | field | access | reset | meaning |",
-             "|---|---|---|---|---|---|---|"]
+    lines = [preamble.rstrip("\n"), "", "| register | bits | field | access | reset | meaning |",
+             "|---|---|---|---|---|---|"]
     offsets = {register.name: register.offset for register in registers}
     for register in registers:
         if register.name.endswith("_HI") and register.name[:-3] + "_LO" in offsets:
             continue
-        place = f"0x{register.offset:03X} | `{register.name}`"
+        place = f"0x{register.offset:03X} `{register.name}`"
         high = offsets.get(register.name[:-3] + "_HI") if register.name.endswith("_LO") else None
         if high is not None:
-            place = f"0x{register.offset:03X}, 0x{high:03X} | `{register.name}`, `_HI`"
+            place = f"0x{register.offset:03X}, 0x{high:03X} `{register.name}`, `_HI`"
         for field in register.fields:
             reset = "-" if field.access in ("ro", "w1") else f"0x{field.reset:X}"
             link = _markdown_link(field)
             meaning = field.description.replace(", bits 31:0", "") + (f" ({link})" if link else "")
             lines.append(f"| {place} | {_bits(field)} | `{field.name}` | {field.access} | {reset} | {meaning} |")
-            place = " | "
+            place = ""
     return "\n".join(lines) + "\n"
