@@ -88,10 +88,12 @@ struct Coordinates<Binary32> : FloatCoordinates {
 template <>
 struct Coordinates<Binary32Fused> : Coordinates<Binary32> {};
 
-/// Where weights come from: Horner's rule over coefficients that are loaded.
+/// Where weights come from: Horner's rule over coefficients that are loaded. `kSum` is what the
+/// four weights of an axis sum to.
 template <class F>
 class Horner {
  public:
+  static constexpr double kSum = 1;
   Horner(const std::string& name, const std::string& format) : is_bspline_(name == "bspline") {
     const Blending blending = family(name, WordCodec(format));
     coefficient_ = blending.coefficient;
@@ -124,20 +126,61 @@ class Horner {
 };
 
 template <class F>
+Four numbers(const std::array<typename F::Weight, 4>& computed) {
+  Four weights{};
+  for (int l = 0; l < 4; ++l) weights[l] = Coordinates<F>::number(computed[l]);
+  return weights;
+}
+
+template <class F>
 struct Powers {
+  static constexpr double kSum = 1;
   Four operator()(typename F::Weight x) const {
-    const auto computed = model::PowersBspline<F>::weights(x);
-    Four weights{};
-    for (int l = 0; l < 4; ++l) weights[l] = Coordinates<F>::number(computed[l]);
-    return weights;
+    return numbers<F>(model::PowersBspline<F>::weights(x));
   }
   static Four exact(double x) { return bounds::bspline(x); }
 };
 
-/// `affine` gives one function what the others leave of one; which, depends on the cell.
-inline Four completed(Four weights, int left) {
+/// Half the derivatives of B-splines, which fixed point has for them.
+inline Four half_slopes(double x) {
+  Four slopes = bounds::bspline_slope(x);
+  for (double& slope : slopes) slope /= 2;
+  return slopes;
+}
+
+/// The weights of a derivative by Horner's rule, in fixed point.
+template <class F>
+class Slopes {
+ public:
+  static constexpr double kSum = 0;
+  explicit Slopes(const std::string& format) : bank_(bounds::bspline_bank<F>(format.c_str())) {}
+  Four operator()(typename F::Weight x) const {
+    Four weights{};
+    for (int l = 0; l < 4; ++l) {
+      weights[l] = Coordinates<F>::number(model::polynomial<F>(bank_, 0, l, x, true));
+    }
+    return weights;
+  }
+  static Four exact(double x) { return half_slopes(x); }
+
+ private:
+  model::CoefficientBank<F> bank_;
+};
+
+/// The same of the evaluator `powers`.
+template <class F>
+struct PowersSlopes {
+  static constexpr double kSum = 0;
+  Four operator()(typename F::Weight x) const {
+    return numbers<F>(model::PowersBspline<F>::slopes(x));
+  }
+  static Four exact(double x) { return half_slopes(x); }
+};
+
+/// `affine` gives one function what the others leave of the sum; which, depends on the cell.
+inline Four completed(Four weights, int left, double sum) {
   weights[left] = 0;
-  weights[left] = 1 - (weights[0] + weights[1] + weights[2] + weights[3]);
+  weights[left] = sum - (weights[0] + weights[1] + weights[2] + weights[3]);
   return weights;
 }
 
@@ -145,6 +188,7 @@ inline Four completed(Four weights, int left) {
 template <class F>
 class Centred {
  public:
+  static constexpr double kSum = 1;
   explicit Centred(const Horner<F>& horner) : horner_(horner) {
     // One control point at a time through one axis: the other two are constant.
     const AxisWords constant = encode(family("constant", WordCodec("fx18")), WordCodec("fx18"));

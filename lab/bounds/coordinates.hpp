@@ -16,6 +16,14 @@ struct Candidate {
 
 using Triple = std::array<Candidate, 3>;
 
+/// What may be tried of each axis.
+using Choices = std::array<const std::vector<Candidate>*, 3>;
+
+/// The same of all three.
+inline Choices alike(const std::vector<Candidate>& candidates) {
+  return {&candidates, &candidates, &candidates};
+}
+
 /// The sum of 64 errors of products of weights, none of which is rounded: what `factored` has.
 inline double exact_distance(const Candidate& s, const Candidate& t, const Candidate& u) {
   double sum = 0;
@@ -71,22 +79,21 @@ inline std::vector<Candidate> near_sixteenths(const std::vector<Candidate>& cand
 /// One axis after the other takes its best candidate, until none improves; from so many random
 /// starts, in two of three of them from those preferred.
 template <class Objective>
-Triple best_triple(const std::vector<Candidate>& candidates,
-                   const std::vector<Candidate>& preferred, int starts, std::mt19937_64& engine,
-                   const Objective& objective) {
+Triple best_triple(const Choices& choices, const std::vector<Candidate>& preferred, int starts,
+                   std::mt19937_64& engine, const Objective& objective) {
   Triple best;
   double most = -1;
   for (int start = 0; start < starts; ++start) {
     Triple triple;
-    for (Candidate& axis : triple) {
-      const auto& from = preferred.empty() || engine() % 3 == 0 ? candidates : preferred;
-      axis = from[engine() % from.size()];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto& from = preferred.empty() || engine() % 3 == 0 ? *choices[axis] : preferred;
+      triple[axis] = from[engine() % from.size()];
     }
     double here = -1;
-    for (int axis = 0, idle = 0; idle < 3; axis = (axis + 1) % 3) {
+    for (std::size_t axis = 0, idle = 0; idle < 3; axis = (axis + 1) % 3) {
       const double before = here;
       Triple probe = triple;
-      for (const Candidate& candidate : candidates) {
+      for (const Candidate& candidate : *choices[axis]) {
         probe[axis] = candidate;
         const double reached = objective(probe);
         if (reached > here) {

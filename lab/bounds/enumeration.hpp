@@ -73,11 +73,12 @@ class Extremes {
   std::vector<Best> best_ = std::vector<Best>(kPieces * kKinds);
 };
 
-/// Which function's weight is what the others leave of one; kNone: it is computed as theirs are.
+/// Which function's weight is what the others leave of the sum; kNone: it is computed as theirs
+/// are.
 constexpr int kNone = -1;
 
-inline AxisPoint variant(AxisPoint point, int left) {
-  if (left != kNone) point.weight = completed(point.weight, left);
+inline AxisPoint variant(AxisPoint point, int left, double sum) {
+  if (left != kNone) point.weight = completed(point.weight, left, sum);
   return point;
 }
 
@@ -95,7 +96,7 @@ AxisFacts axis_facts(const Weights& weights, std::int64_t stride, const std::vec
   visit_all<F>(weights, stride, kPartials, [&](std::size_t number, const AxisPoint& plain) {
     Partial& partial = partials[number];
     for (const int left : lefts) {
-      const AxisPoint point = variant(plain, left);
+      const AxisPoint point = variant(plain, left, Weights::kSum);
       const Four e = point.error();
       partial.facts.error = std::max(partial.facts.error, norm(e));
       for (const double of_one : e) {

@@ -31,7 +31,7 @@ template <class F, class Weights>
 Candidate candidate_of(const Weights& weights, std::uint32_t word, int left) {
   // Bank 3, which is left over, has function `left` in this cell.
   const int cell = left == kNone ? 0 : 3 - left;
-  Candidate candidate{variant(axis_point<F>(weights, word), left), cell, {}};
+  Candidate candidate{variant(axis_point<F>(weights, word), left, Weights::kSum), cell, {}};
   for (int l = 0; l < 4; ++l) {
     candidate.units[l] = std::llround(candidate.point.weight[l] / Coordinates<F>::kUnit);
   }
@@ -150,10 +150,10 @@ class FixedFacts {
     if (!wanted("format", name_)) return;
     if constexpr (F::kWeightFraction + 2 < kLeastComposed) {
       if (!wanted("form", "scatter")) return;
-      axis("affine", horner_, {0, 1, 2, 3}, true);
-      scatter("scatter", false);
+      axis("affine", horner_, kAnyLeft, true);
+      scatter_affine();
       axis("powers", Powers<F>(), {kNone}, true);
-      scatter("scatter powers", true);
+      scatter_powers();
     } else {
       run_composed();
     }
@@ -162,6 +162,8 @@ class FixedFacts {
  private:
   /// Forms but scatter are of rows from here on; narrower words have scatter alone.
   static constexpr int kLeastComposed = 16;
+  /// Of `affine`, in cells of all kinds.
+  static inline const std::vector<int> kAnyLeft{0, 1, 2, 3};
 
   void run_composed() {
     const bool contracts = wanted("form", "factored");
@@ -177,10 +179,10 @@ class FixedFacts {
       constexpr bool kScatters = F::kWeightFraction + 2 <= model::kScatterMostWidth;
       const bool scatters = kScatters && wanted("form", "scatter");
       if (wanted("form", "affine") || scatters) {
-        axis("affine", horner_, {0, 1, 2, 3}, true);
+        axis("affine", horner_, kAnyLeft, true);
         if (wanted("form", "affine")) add<model::OrgAffine>("affine");
         if constexpr (kScatters) {
-          if (scatters) scatter("scatter", false);
+          if (scatters) scatter_affine();
         }
       }
       const bool powers = wanted("form", "powers") && name_ != "fx16";
@@ -188,7 +190,7 @@ class FixedFacts {
         axis("powers", Powers<F>(), {kNone}, true);
         if (powers) add<model::OrgPowers>("powers");
         if constexpr (kScatters) {
-          if (scatters) scatter("scatter powers", true);
+          if (scatters) scatter_powers();
         }
       }
       if (wanted("form", "nested")) nested();
@@ -207,25 +209,42 @@ class FixedFacts {
   template <class Weights>
   void axis(const std::string& what, const Weights& weights, const std::vector<int>& lefts,
             bool triples) {
-    Boxes<F> boxes(triples && stride() == 1 && !std::is_same_v<F, Block32>);
+    Looked looked =
+        look(what, weights, lefts, triples && stride() == 1 && !std::is_same_v<F, Block32>);
+    candidates_ = std::move(looked.candidates);
+    if (!looked.boxes.empty()) {
+      put(looked.fact, bound_triples(std::move(looked.boxes), kTolerance));
+    }
+    facts_.weights.push_back(looked.fact);
+  }
+
+  /// What is found of the weights of an axis by itself.
+  struct Looked {
+    WeightsFact fact;
+    std::vector<ErrorBox> boxes;  ///< of all coordinates, where they are wanted
+    std::vector<Candidate> candidates;
+  };
+
+  template <class Weights>
+  Looked look(const std::string& what, const Weights& weights, const std::vector<int>& lefts,
+              bool boxed) const {
+    Boxes<F> boxes(boxed);
     const AxisFacts facts = axis_facts<F>(weights, stride(), lefts,
                                           [&](const AxisPoint& point) { boxes.visit(point); });
-    WeightsFact fact = fact_of(what, facts);
-    fact.all = stride() == 1;
+    Looked looked{fact_of(what, facts), boxes.take(), {}};
+    looked.fact.all = stride() == 1;
     auto engine = seeded(name_ + what);
-    candidates_.clear();
     for (const int left : lefts) {
       for (const Candidate& candidate : candidates<F>(weights, facts.extreme, left, engine)) {
-        candidates_.push_back(candidate);
+        looked.candidates.push_back(candidate);
       }
     }
-    std::vector<ErrorBox> all = boxes.take();
-    if (!all.empty()) {
-      const TripleBound bound = bound_triples(std::move(all), kTolerance);
-      fact.distance = bound.bound;
-      fact.reached = bound.reached;
-    }
-    facts_.weights.push_back(fact);
+    return looked;
+  }
+
+  static void put(WeightsFact& fact, const TripleBound& bound) {
+    fact.distance = bound.bound;
+    fact.reached = bound.reached;
   }
 
   WeightsFact fact_of(const std::string& what, const AxisFacts& facts) const {
@@ -243,28 +262,64 @@ class FixedFacts {
   template <template <class> class Organization>
   void add(const std::string& form) {
     auto engine = seeded(name_ + form);
-    const Triple triple =
-        best_triple(candidates_, {}, static_cast<int>(effort_.starts), engine,
-                    [](const Triple& t) { return exact_distance(t[0], t[1], t[2]); });
+    const Triple triple = farthest(alike(candidates_), engine);
     const Witness witness =
         climb<F, Organization>(name_, triple, plain_weight, effort_.steps, engine);
     facts_.forms.push_back({form, name_, witness});
   }
 
-  /// The transpose of `affine`, at the coordinates of the weights that were looked at last.
+  /// The transpose of `affine`, of positions at the coordinates of the weights that were looked at
+  /// last, and of derivatives.
+  void scatter_affine() {
+    scatter("scatter", false);
+    const Slopes<F> slopes(name_);
+    alone("slopes", slopes, stride());
+    derivatives("scatter", "affine", horner_, slopes, kAnyLeft);
+  }
+  void scatter_powers() {
+    scatter("scatter powers", true);
+    derivatives("scatter powers", "powers", Powers<F>(), PowersSlopes<F>(), {kNone});
+  }
+
   void scatter(const std::string& form, bool powers) {
     auto engine = seeded(name_ + form);
-    const Triple triple =
-        best_triple(candidates_, {}, static_cast<int>(effort_.starts), engine,
-                    [](const Triple& t) { return exact_distance(t[0], t[1], t[2]); });
-    model::CoefficientBank<F> bank;
-    const AxisWords words = encode(watertight_bspline(WordCodec(name_)), WordCodec(name_));
-    for (int axis = 0; axis < 3; ++axis) {
-      for (int l = 0; l < 4; ++l) bank.load(axis, l, words.degree, words.shift, words.word[l]);
+    const Choices choices = alike(candidates_);
+    climb_scatter(form, ScatterClimb<F>(powers, -1), farthest(choices, engine), choices, engine);
+  }
+
+  /// Gradients of the derivative along each axis, whose weights are `slopes`.
+  template <class Weights, class OfSlopes>
+  void derivatives(const std::string& form, const std::string& what, const Weights& weights,
+                   const OfSlopes& slopes, const std::vector<int>& lefts) {
+    Looked looked = look(what + " slopes", slopes, lefts, stride() == 1);
+    if (!looked.boxes.empty()) {
+      put(looked.fact,
+          bound_triples_with_slopes(std::move(looked.boxes), look(what, weights, lefts, true).boxes,
+                                    kTolerance));
     }
-    const Witness witness =
-        ScatterClimb<F>(bank, powers).run(triple, candidates_, effort_.steps, engine);
-    facts_.forms.push_back({form, name_, witness});
+    facts_.weights.push_back(looked.fact);
+    auto engine = seeded(name_ + form + " slopes");
+    const Triple triple = farthest({&looked.candidates, &candidates_, &candidates_}, engine);
+    for (int axis = 0; axis < 3; ++axis) {
+      // The products are the same whichever axis has the slopes.
+      Triple start = triple;
+      Choices choices = alike(candidates_);
+      std::swap(start[0], start[static_cast<std::size_t>(axis)]);
+      choices[static_cast<std::size_t>(axis)] = &looked.candidates;
+      climb_scatter(form + " along " + "stu"[axis], ScatterClimb<F>(what == "powers", axis), start,
+                    choices, engine);
+    }
+  }
+
+  /// Where the products of three weights are off the most.
+  Triple farthest(const Choices& choices, std::mt19937_64& engine) const {
+    return best_triple(choices, {}, static_cast<int>(effort_.starts), engine,
+                       [](const Triple& t) { return exact_distance(t[0], t[1], t[2]); });
+  }
+
+  void climb_scatter(const std::string& form, ScatterClimb<F> climbing, const Triple& start,
+                     const Choices& choices, std::mt19937_64& engine) {
+    facts_.forms.push_back({form, name_, climbing.run(start, choices, effort_.steps, engine)});
   }
 
   void product() {
@@ -272,8 +327,8 @@ class FixedFacts {
     constexpr int kFraction = F::kWeightFraction;
     // Roundings, not weights, are most of it, so more starts are worth while.
     const Triple triple = best_triple(
-        candidates_, near_sixteenths(candidates_, C::kUnit), static_cast<int>(8 * effort_.starts),
-        engine,
+        alike(candidates_), near_sixteenths(candidates_, C::kUnit),
+        static_cast<int>(8 * effort_.starts), engine,
         [](const Triple& t) { return rounded_distance<Wide>(t[0], t[1], t[2], kFraction); });
     const Triple refined = kFew ? triple : over_random(triple, engine);
     const auto weight = [](const Triple& t, int l, int m, int n) {
@@ -341,12 +396,17 @@ class FixedFacts {
     if (!wanted("form", "weights")) return;
     for (const std::string& family : family_names()) {
       if (family == "bspline" && effort_.form.empty()) continue;  // has been looked at
-      const std::int64_t step = kFew ? 1 : 1021;
-      const AxisFacts facts =
-          axis_facts<F>(Horner<F>(family, name_), step, {kNone}, [](const AxisPoint& /*point*/) {});
-      facts_.weights.push_back(fact_of(family, facts));
-      facts_.weights.back().all = kFew;
+      alone(family, Horner<F>(family, name_), kFew ? 1 : 1021);
     }
+  }
+
+  /// Weights of which no form is composed.
+  template <class Weights>
+  void alone(const std::string& what, const Weights& weights, std::int64_t step) {
+    const AxisFacts facts =
+        axis_facts<F>(weights, step, {kNone}, [](const AxisPoint& /*point*/) {});
+    facts_.weights.push_back(fact_of(what, facts));
+    facts_.weights.back().all = step == 1;
   }
 
   std::string name_;

@@ -11,16 +11,18 @@
 namespace hwffd::certified {
 
 /// Hill climbing over a vertex and its gradient: the sum of the errors of its 64 parts against the
-/// gradient times equation (1), as the model rounds them. What saturates does not count.
+/// gradient times equation (1), or half its derivative along an axis, as the model rounds them.
+/// What saturates does not count.
 template <class F>
 class ScatterClimb {
  public:
-  /// @param powers  the weights are those of the evaluator `powers`, else of the bank
-  ScatterClimb(const model::CoefficientBank<F>& bank, bool powers) : bank_(bank), powers_(powers) {}
+  /// @param powers      the weights are those of the evaluator `powers`, else polynomials
+  /// @param derivative  the axis along which it is the gradient of the derivative, or -1
+  ScatterClimb(bool powers, int derivative) : powers_(powers), derivative_(derivative) {}
 
   /// From three coordinates with their cells and the largest gradient on, so many steps, and in
   /// between each axis in turn over all candidates.
-  Witness run(const Triple& start, const std::vector<Candidate>& candidates, std::int64_t steps,
+  Witness run(const Triple& start, const Choices& choices, std::int64_t steps,
               std::mt19937_64& engine) {
     Witness best;
     for (int axis = 0; axis < 3; ++axis) {
@@ -31,13 +33,13 @@ class ScatterClimb {
     best.error = error(best);
     for (std::int64_t step = 0; step < steps; ++step) {
       if (step % (steps / kRounds + 1) == 0) {
-        for (std::size_t axis = 0; axis < 3; ++axis) over_axis(best, axis, candidates);
+        for (std::size_t axis = 0; axis < 3; ++axis) over_axis(best, axis, *choices[axis]);
       }
       Witness probe = best;
       const auto axis = static_cast<std::size_t>(engine() % 3);
       switch (engine() % 4) {
         case 0: {
-          const Candidate& other = candidates[engine() % candidates.size()];
+          const Candidate& other = (*choices[axis])[engine() % choices[axis]->size()];
           probe.vertex.local[axis] = other.point.word;
           probe.vertex.cell[axis] = other.cell;
           break;
@@ -63,16 +65,18 @@ class ScatterClimb {
     using model::LocalVertex;
     LocalVertex<F> vertex;
     vertex.cell = witness.vertex.cell;
+    vertex.derivative = derivative_;
     std::array<Four, 3> exact;
     for (int axis = 0; axis < 3; ++axis) {
       const std::uint32_t word = witness.vertex.local[axis];
       vertex.local[axis] = F::coordinate(word);
-      exact[axis] = bounds::bspline(Coordinates<F>::value(word));
+      const double x = Coordinates<F>::value(word);
+      exact[axis] = axis == derivative_ ? half_slopes(x) : bounds::bspline(x);
     }
     const double gradient = std::ldexp(static_cast<std::int32_t>(witness.result), -31);
     const auto cumulative = model::cumulative_of<F>(vertex, bank_, powers_);
     const auto parts =
-        model::scattered<model::RoundedParts<F>>(cumulative, F::point(witness.result), -1);
+        model::scattered<model::RoundedParts<F>>(cumulative, F::point(witness.result), derivative_);
     double sum = 0;
     for (int index = 0; index < 64; ++index) {
       if (parts[index].saturated) return 0;
@@ -99,8 +103,10 @@ class ScatterClimb {
     }
   }
 
-  model::CoefficientBank<F> bank_;
+  model::CoefficientBank<F> bank_ =
+      bounds::bspline_bank<F>(bounds::fixed_name(F::kWeightFraction + 2).c_str());
   bool powers_;
+  int derivative_;
 };
 
 }  // namespace hwffd::certified

@@ -31,4 +31,9 @@ struct TripleBound {
 /// errors; what is left out is added (lab/docs/bounds.md). B-splines only.
 TripleBound bound_triples(std::vector<ErrorBox> boxes, double tolerance);
 
+/// The same where one axis, whichever, has half the derivatives of B-splines, with errors of its
+/// own.
+TripleBound bound_triples_with_slopes(std::vector<ErrorBox> slopes, std::vector<ErrorBox> boxes,
+                                      double tolerance);
+
 }  // namespace hwffd::certified

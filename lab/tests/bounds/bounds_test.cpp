@@ -18,12 +18,12 @@ namespace {
 
 using F = Fixed<16>;
 
-std::vector<Candidate> some_points(int count) {
-  const Horner<F> horner("bspline", "fx16");
+template <class Weights>
+std::vector<Candidate> some_points(const Weights& weights, int count) {
   std::mt19937_64 engine(5);
   std::vector<Candidate> points;
   for (int i = 0; i < count; ++i) {
-    Candidate candidate{axis_point<F>(horner, static_cast<std::uint32_t>(engine() >> 33)), 0, {}};
+    Candidate candidate{axis_point<F>(weights, static_cast<std::uint32_t>(engine() >> 33)), 0, {}};
     for (int l = 0; l < 4; ++l)
       candidate.units[l] = std::llround(std::ldexp(candidate.point.weight[l], 14));
     points.push_back(candidate);
@@ -31,39 +31,64 @@ std::vector<Candidate> some_points(int count) {
   return points;
 }
 
-double largest_of_all(const std::vector<Candidate>& points) {
+std::vector<Candidate> some_points(int count) {
+  return some_points(Horner<F>("bspline", "fx16"), count);
+}
+
+double largest_of_all(const std::vector<Candidate>& first, const std::vector<Candidate>& others) {
   double largest = 0;
-  for (const Candidate& s : points) {
-    for (const Candidate& t : points) {
-      for (const Candidate& u : points) largest = std::max(largest, exact_distance(s, t, u));
+  for (const Candidate& s : first) {
+    for (const Candidate& t : others) {
+      for (const Candidate& u : others) largest = std::max(largest, exact_distance(s, t, u));
     }
   }
   return largest;
 }
 
-TEST(Triples, BranchAndBoundFindsTheLargest) {
-  const auto points = some_points(40);
+/// So many points a box.
+std::vector<ErrorBox> boxes_of(const std::vector<Candidate>& points, std::size_t count) {
   std::vector<ErrorBox> boxes;
-  for (const Candidate& candidate : points)
-    boxes.emplace_back().add(candidate.point.x, candidate.point.error());
-  const double largest = largest_of_all(points);
-  const TripleBound triples = bound_triples(boxes, 0.02);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i % count == 0) boxes.emplace_back();
+    boxes.back().add(points[i].point.x, points[i].point.error());
+  }
+  return boxes;
+}
+
+void expect_found(const TripleBound& triples, double largest) {
   EXPECT_GE(triples.bound, largest);
   EXPECT_LE(triples.bound, 1.03 * largest);
   EXPECT_NEAR(triples.reached, largest, 0.03 * largest);
 }
 
-TEST(Triples, BoundsWhatLiesInBoxes) {
-  const auto points = some_points(60);
-  std::vector<ErrorBox> boxes;
-  for (std::size_t i = 0; i < points.size(); i += 2) {
-    ErrorBox& box = boxes.emplace_back();
-    for (const std::size_t j : {i, i + 1}) box.add(points[j].point.x, points[j].point.error());
-  }
-  EXPECT_GE(bound_triples(boxes, 0.1).bound, largest_of_all(points));
+TEST(Triples, BranchAndBoundFindsTheLargest) {
+  const auto points = some_points(40);
+  expect_found(bound_triples(boxes_of(points, 1), 0.02), largest_of_all(points, points));
 }
 
-TEST(Triples, NothingIsAnError) { EXPECT_THROW(bound_triples({}, 0.1), std::invalid_argument); }
+// Whichever axis has the weights of a derivative, Horner's or those of powers.
+TEST(Triples, BranchAndBoundFindsTheLargestWithSlopes) {
+  const auto points = some_points(40);
+  for (const auto& slopes :
+       {some_points(Slopes<F>("fx16"), 30), some_points(PowersSlopes<F>(), 30)}) {
+    expect_found(bound_triples_with_slopes(boxes_of(slopes, 1), boxes_of(points, 1), 0.02),
+                 largest_of_all(slopes, points));
+  }
+}
+
+TEST(Triples, BoundsWhatLiesInBoxes) {
+  const auto points = some_points(60);
+  const auto slopes = some_points(Slopes<F>("fx16"), 40);
+  EXPECT_GE(bound_triples(boxes_of(points, 2), 0.1).bound, largest_of_all(points, points));
+  EXPECT_GE(bound_triples_with_slopes(boxes_of(slopes, 2), boxes_of(points, 2), 0.1).bound,
+            largest_of_all(slopes, points));
+}
+
+TEST(Triples, NothingIsAnError) {
+  EXPECT_THROW(bound_triples({}, 0.1), std::invalid_argument);
+  EXPECT_THROW(bound_triples_with_slopes({}, boxes_of(some_points(2), 1), 0.1),
+               std::invalid_argument);
+}
 
 TEST(Pairs, RoundAsTheModelDoes) {
   const auto points = some_points(50);
@@ -115,59 +140,114 @@ TEST(Search, ItsWitnessIsReproduced) {
   EXPECT_LT(witness.error, 7e-4);
 }
 
-// The error that is climbed is that of the words, by the model that takes them as the core does,
-// and what was climbed is within what is proved of a vertex whose weights are off by as much as
-// these.
-TEST(Scatter, ItsErrorIsThatOfTheModelAndWithinItsBound) {
-  using F17 = Fixed<17>;
-  constexpr double kHalf = 0x1p-17;  // of a part
-  const Configuration& row = find_configuration("affine-fx17-overlapped");
-  const auto scatter = model::make_scatter_model(row);
-  const WordCodec codec("fx17");
-  const AxisWords words = encode(watertight_bspline(codec), codec);
-  model::CoefficientBank<F17> bank;
-  for (int axis = 0; axis < 3; ++axis) {
-    scatter->load(axis, words);
-    for (int l = 0; l < 4; ++l) bank.load(axis, l, words.degree, words.shift, words.word[l]);
-  }
-  const Horner<F17> horner("bspline", "fx17");
-  std::mt19937_64 engine(9);
+/// What is known of an axis: coordinates to try, the largest sum of the errors of its weights, and
+/// the largest sum of the magnitudes of its functions.
+struct KnownAxis {
   std::vector<Candidate> candidates;
-  double e = 0;  // the largest sum of the errors of an axis
+  double error = 0;
+  double size = 0;
+};
+
+template <class F17, class Weights>
+KnownAxis known_axis(const Weights& weights, double size, std::mt19937_64& engine) {
+  KnownAxis axis;
+  axis.size = size;
   for (int i = 0; i < 400; ++i) {
     const int left = i % 4;
     const auto word = static_cast<std::uint32_t>(engine() >> 33);
-    candidates.push_back({variant(axis_point<F17>(horner, word), left), 3 - left, {}});
-    e = std::max(e, norm(candidates.back().point.error()));
+    axis.candidates.push_back(
+        {variant(axis_point<F17>(weights, word), left, Weights::kSum), 3 - left, {}});
+    axis.error = std::max(axis.error, norm(axis.candidates.back().point.error()));
   }
-  ScatterClimb<F17> climb(bank, false);
+  return axis;
+}
+
+/// The sum of the errors of a component of what a model adds, in words.
+double error_of(const model::VertexParts& added, const model::GradientWords& vertex) {
+  std::array<Four, 3> exact;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double x = std::ldexp(vertex.local[axis], -31);
+    exact[axis] = axis == vertex.derivative ? half_slopes(x) : bounds::bspline(x);
+  }
+  double sum = 0;
+  for (int p = 0; p < 64; ++p) {
+    const double weight = exact[0][p / 16] * exact[1][p / 4 % 4] * exact[2][p % 4];
+    const double gradient = std::ldexp(static_cast<std::int32_t>(vertex.gradient[0]), -31);
+    sum += std::abs(std::ldexp(static_cast<double>(added.parts[p][0]), -16) - gradient * weight);
+  }
+  return sum;
+}
+
+/// Of a position (-1), or of the derivative along an axis.
+class ScatterErrors : public ::testing::TestWithParam<int> {};
+
+// The error that is climbed is that of the words, by the model that takes them as the core does,
+// and what was climbed is within what is proved of a vertex whose weights are off by as much as
+// these.
+TEST_P(ScatterErrors, AreThoseOfTheModelAndWithinTheirBound) {
+  using F17 = Fixed<17>;
+  constexpr double kHalf = 0x1p-17;  // of a part
+  const int derivative = GetParam();
+  const auto scatter = model::make_scatter_model(find_configuration("affine-fx17-overlapped"));
+  const WordCodec codec("fx17");
+  for (int axis = 0; axis < 3; ++axis) {
+    scatter->load(axis, encode(watertight_bspline(codec), codec));
+  }
+  std::mt19937_64 engine(9);
+  const KnownAxis plain = known_axis<F17>(Horner<F17>("bspline", "fx17"), 1, engine);
+  const KnownAxis slopes = known_axis<F17>(Slopes<F17>("fx17"), 0.75, engine);
+  std::array<const KnownAxis*, 3> known{&plain, &plain, &plain};
+  if (derivative >= 0) known[static_cast<std::size_t>(derivative)] = &slopes;
+  ScatterClimb<F17> climb(false, derivative);
   double largest = 0;
   for (int start = 0; start < 20; ++start) {
-    const Triple triple{candidates[engine() % 400], candidates[engine() % 400],
-                        candidates[engine() % 400]};
-    const Witness witness = climb.run(triple, {triple.begin(), triple.end()}, 2000, engine);
-    model::GradientWords vertex;
-    vertex.local = witness.vertex.local;
-    vertex.cell = witness.vertex.cell;
-    vertex.gradient = {witness.result, 0, 0};
+    Triple triple;
+    std::array<std::vector<Candidate>, 3> choice;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (int i = 0; i < 3; ++i) choice[axis].push_back(known[axis]->candidates[engine() % 400]);
+      triple[axis] = choice[axis][0];
+    }
+    const Witness witness = climb.run(triple, {&choice[0], &choice[1], &choice[2]}, 2000, engine);
+    model::GradientWords vertex{witness.vertex.local, witness.vertex.cell, {witness.result, 0, 0}};
+    vertex.derivative = derivative;
     const model::VertexParts added = scatter->parts(vertex);
     EXPECT_FALSE(added.saturated);
-    double sum = 0;
-    std::array<Four, 3> exact;
-    for (int axis = 0; axis < 3; ++axis)
-      exact[axis] = bounds::bspline(std::ldexp(vertex.local[axis], -31));
-    for (int p = 0; p < 64; ++p) {
-      const double weight = exact[0][p / 16] * exact[1][p / 4 % 4] * exact[2][p % 4];
-      const double gradient = std::ldexp(static_cast<std::int32_t>(witness.result), -31);
-      sum += std::abs(std::ldexp(static_cast<double>(added.parts[p][0]), -16) - gradient * weight);
-    }
-    EXPECT_NEAR(witness.error, sum, 1e-12);
-    largest = std::max(largest, sum);
+    EXPECT_NEAR(witness.error, error_of(added, vertex), 1e-12);
+    largest = std::max(largest, witness.error);
   }
-  const double k = 1 + e;
+  std::array<double, 3> k{};
+  for (std::size_t axis = 0; axis < 3; ++axis) k[axis] = known[axis]->size + known[axis]->error;
+  const double all = k[0] * k[1] * k[2];
   EXPECT_GT(largest, 40 * kHalf);
-  EXPECT_LT(largest, k * k * k - 1 + kHalf * (k * k * k + 6 * k * k + 24 * k + 96));
+  EXPECT_LT(largest, all - known[0]->size * known[1]->size * known[2]->size +
+                         kHalf * (all + 6 * k[1] * k[2] + 24 * k[2] + 96));
 }
+
+// A gradient that is expanded as one of a position where a derivative is meant, or along another
+// axis, is off by far more than any bound.
+TEST_P(ScatterErrors, OfAnotherDerivativeAreNoticed) {
+  const auto scatter = model::make_scatter_model(find_configuration("affine-fx17-overlapped"));
+  const WordCodec codec("fx17");
+  for (int axis = 0; axis < 3; ++axis) {
+    scatter->load(axis, encode(watertight_bspline(codec), codec));
+  }
+  model::GradientWords meant{{0x12345678, 0x6789ABCD, 0x3456789A}, {0, 1, 2}, {0x40000000, 0, 0}};
+  meant.derivative = GetParam();
+  for (int derivative = -1; derivative < 3; ++derivative) {
+    model::GradientWords taken = meant;
+    taken.derivative = derivative;
+    const double error = error_of(scatter->parts(taken), meant);
+    if (derivative == GetParam()) {
+      EXPECT_LT(error, 0x1p-10);
+    } else {
+      EXPECT_GT(error, 0x1p-3);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, ScatterErrors, ::testing::Range(-1, 3), [](const auto& tested) {
+  return tested.param < 0 ? std::string("Position") : std::string("Along") + "STU"[tested.param];
+});
 
 // In words of 12 bits, of all coordinates; both evaluators.
 TEST(Scatter, IsSearchedInNarrowWords) {
@@ -177,15 +257,30 @@ TEST(Scatter, IsSearchedInNarrowWords) {
   effort.starts = 2;
   effort.steps = 20'000;
   const Facts facts = find_facts(effort);
-  ASSERT_EQ(facts.weights.size(), 2U);
-  ASSERT_EQ(facts.forms.size(), 2U);
-  for (int i = 0; i < 2; ++i) {
-    EXPECT_EQ(facts.weights[i].weights, i == 0 ? "affine" : "powers");
-    EXPECT_EQ(facts.forms[i].form, i == 0 ? "scatter" : "scatter powers");
-    EXPECT_TRUE(facts.weights[i].all);
-    EXPECT_GT(facts.forms[i].witness.error, facts.weights[i].reached);
-    EXPECT_LT(facts.forms[i].witness.error, facts.weights[i].distance + 130 * 0x1p-12);
+  std::vector<std::string> weights;
+  for (const WeightsFact& fact : facts.weights) {
+    weights.push_back(fact.weights);
+    EXPECT_TRUE(fact.all);
   }
+  EXPECT_EQ(weights, (std::vector<std::string>{"affine", "slopes", "affine slopes", "powers",
+                                               "powers slopes"}));
+  const auto fact_of = [&](const std::string& name) {
+    return *std::find_if(facts.weights.begin(), facts.weights.end(),
+                         [&](const WeightsFact& fact) { return fact.weights == name; });
+  };
+  std::size_t number = 0;
+  for (const std::string evaluator : {"", " powers"}) {
+    for (const std::string along : {"", " along s", " along t", " along u"}) {
+      ASSERT_LT(number, facts.forms.size());
+      const FormFact& form = facts.forms[number++];
+      EXPECT_EQ(form.form, "scatter" + evaluator + along);
+      const WeightsFact fact = fact_of((evaluator.empty() ? "affine" : "powers") +
+                                       std::string(along.empty() ? "" : " slopes"));
+      EXPECT_GT(form.witness.error, fact.reached);
+      EXPECT_LT(form.witness.error, fact.distance + 130 * 0x1p-12);
+    }
+  }
+  EXPECT_EQ(number, facts.forms.size());
 }
 
 TEST(Search, NothingIsFoundOfAFormThatIsNone) {

@@ -41,14 +41,17 @@ AxisError block_axis_error(int width);
 /// binary32 by propagation of errors, the steps fused or not.
 AxisError binary32_axis_error(bool fused);
 
-/// The watertight B-spline as a format loads it, the same on all axes.
+/// The watertight B-spline and its derivatives as a format loads them, the same on all axes.
 template <class F>
 model::CoefficientBank<F> bspline_bank(const char* format) {
   const WordCodec codec(format);
   const AxisWords axis = encode(watertight_bspline(codec), codec);
   model::CoefficientBank<F> bank;
   for (int a = 0; a < 3; ++a) {
-    for (int l = 0; l < 4; ++l) bank.load(a, l, axis.degree, axis.shift, axis.word[l]);
+    for (int l = 0; l < 4; ++l) {
+      bank.load(a, l, axis.degree, axis.shift, axis.word[l]);
+      bank.load_derivative(a, l, axis.degree, axis.derivative.shift, axis.derivative.word[l]);
+    }
   }
   return bank;
 }
