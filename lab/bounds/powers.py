@@ -1,6 +1,6 @@
-"""The weights of the evaluator `powers` as Gappa scripts (docs/numerics.md section 5).
+"""The weights of the evaluator `powers`, and those of derivatives, as Gappa scripts (docs/numerics.md section 5).
 
-Coordinates that are rounded to 1, where one weight is put right by a unit, have a script of their own.
+Coordinates that are rounded to 1, where one weight of a position is put right by a unit, have a script of their own.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -80,3 +80,24 @@ def powers_script(function, form, at_one, bound=None):
     wanted = f"[0,{bound.gappa()}]" if bound is not None else "?"
     where = f"given in [{edge},1]" if at_one else f"given in [0,{edge}]"
     return script.text(f"{where} -> |w - e| in {wanted}", "" if at_one else f"$ given in {PIECES};")
+
+
+def slopes_script(function, form, bound=None):
+    """How far a weight of half a derivative may be off, anywhere in [0, 1]."""
+    script = Script(form)
+    script.rounded("x", "given")
+    script.lines += ["square = given * given;", "e0 = (given * 2 - 1 - square) * 1b-2;",
+                     "e2 = (1 + given * 2 - square * 3) * 1b-2;", "e3 = square * 1b-2;", "e1 = - (e0 + e2 + e3);"]
+    cut(script, "S", "x * x", form.digits + GUARD)
+    script.lines += ["y0 = (x * 2 - 1 - S) * 1b-2;", "y2 = (1 + x * 2 - S * 3) * 1b-2;", "y3 = S * 1b-2;"]
+    for number in (0, 2, 3):
+        script.rounded(f"w{number}", f"y{number}")
+    script.lines += ["w1 = - (w0 + w2 + w3);", f"w = w{function};", f"e = e{function};"]
+    script.hints += [
+        "S - square -> (S - x * x) + (x * x - square);",
+        "w0 - e0 -> (w0 - y0) + ((x - given) * 2 - (S - square)) * 1b-2;",
+        "w2 - e2 -> (w2 - y2) + ((x - given) * 2 - (S - square) * 3) * 1b-2;",
+        "w3 - e3 -> (w3 - y3) + (S - square) * 1b-2;",
+        "w1 - e1 -> - ((w0 - y0) + (w2 - y2) + (w3 - y3)) - ((x - given) * 4 - (S - square) * 3) * 1b-2;"]
+    wanted = f"[0,{bound.gappa()}]" if bound is not None else "?"
+    return script.text(f"given in [0,1] -> |w - e| in {wanted}", f"$ given in {PIECES};")

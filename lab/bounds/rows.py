@@ -106,7 +106,9 @@ def weight_rows(measured):
     """Each family in each format: nothing is taken for granted."""
     for fact in measured["weights"]:
         family, form = fact["weights"], weights.FORMATS[fact["format"]]
-        if family == "powers":
+        if family == "powers slopes":
+            scripts = [lambda bound, n=n, form=form: powers.slopes_script(n, form, bound) for n in range(4)]
+        elif family == "powers":
             scripts = [lambda bound, n=n, at_end=at_end, form=form: powers.powers_script(n, form, at_end, bound)
                        for n in range(4) for at_end in (False, True)]
         elif family in weights.FAMILIES and fact["weight"] > 0:  # else nothing is rounded

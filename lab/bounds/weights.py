@@ -22,8 +22,10 @@ FAMILIES = {
                     [0, 0, F(-1, 2), F(1, 2)]],
     "linear": [[0, 0, 0, 0], [1, -1, 0, 0], [0, 1, 0, 0], [0, 0, 0, 0]],
     "constant": [[1, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0]],
+    # Half the derivatives of B-splines (section 9).
+    "slopes": [[F(-1, 4), F(1, 2), F(-1, 4), 0], [0, -1, F(3, 4), 0], [F(1, 4), F(1, 2), F(-3, 4), 0], [0, 0, F(1, 4), 0]],
 }
-SHIFTS = {"bspline": 0, "bernstein": 2, "hermite": 1, "catmull-rom": 1, "linear": 0, "constant": 0}
+SHIFTS = {"bspline": 0, "bernstein": 2, "hermite": 1, "catmull-rom": 1, "linear": 0, "constant": 0, "slopes": 0}
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,8 @@ FORMS = proved.NAMES
 # Of a form, what its ratio shall be at most.
 AIMS = {"factored": 1.2, "product": 1.6, "sequence": 4.0, "tree": 4.0}
 FORMATS = ("fx12", "fx13", "fx14", "fx15", "fx16", "fx17", "fx18", "fx32", "bfp32", "fp32", "fp32-fused")
-FAMILIES = ("bspline", "powers", "bernstein", "hermite", "catmull-rom", "linear")
+FAMILIES = ("bspline", "powers", "bernstein", "hermite", "catmull-rom", "linear", "slopes", "powers slopes")
+OF_SOME = ("powers", "slopes", "powers slopes")  # which not every format has
 
 
 def _unit(name):
@@ -60,11 +61,12 @@ def weights(reports):
     def cell(family, name):
         row = rows.get((f"weights {family}", name))
         if not row:
-            return "-" if family == "powers" else "exact"
+            return "-" if family in OF_SOME else "exact"
         return f"{shown(row['bound'] / _unit(name), '.2f')} ({shown(_ratio(row), '.2f')})"
 
     return Table(["functions", *(f"`{name}`" for name in formats)],
-                 [[f"`{family}`", *(cell(family, name) for name in formats)] for family in FAMILIES])
+                 [[f"`{family}`", *(cell(family, name) for name in formats)] for family in FAMILIES
+                  if any((f"weights {family}", name) in rows for name in formats)])
 
 
 def axes(reports):

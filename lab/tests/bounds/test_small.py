@@ -7,7 +7,7 @@ import fractions
 
 import pytest
 
-from lab.bounds import dyadic, forms, gappa, rows, weights
+from lab.bounds import dyadic, forms, gappa, powers, rows, weights
 
 FX16 = weights.FORMATS["fx16"]
 NEEDS_GAPPA = pytest.mark.needs("gappa")
@@ -36,6 +36,19 @@ def test_a_weight_is_bounded_and_2_percent_less_are_refused(family, name):
     bound = bound_of(script)
     assert gappa.proves(script(bound))
     assert not gappa.proves(script(less(bound, "0.98")))
+
+
+@NEEDS_GAPPA
+@pytest.mark.parametrize("function", range(4))
+def test_a_weight_of_a_derivative_by_powers_is_bounded_and_another_cut_is_noticed(function):
+    def script(bound):
+        return powers.slopes_script(function, weights.FORMATS["fx17"], bound)
+
+    bound = bound_of(script)
+    assert gappa.proves(script(bound))
+    # A square of six digits less.
+    planted = script(bound).replace("S = fixed<-18,dn>", "S = fixed<-12,dn>")
+    assert planted != script(bound) and not gappa.proves(planted)
 
 
 @NEEDS_GAPPA
