@@ -1,7 +1,8 @@
 """Composed bounds as Gappa scripts, and the theorem that each of them ends in.
 
-A script takes what is known of the weights of an axis (`e`), of the products of three axes (`a`) or
-of two (`r`), and bounds the formula that coq/Fixed.v, Nested.v and Float.v prove of a form.
+A script takes what is known of the weights of an axis (`e`), of those of a derivative (`d`), of the
+products of three axes (`a`) or of two (`r`), and bounds the formula that coq/Fixed.v, Nested.v, Float.v
+and Scatter.v prove of a form.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -12,12 +13,24 @@ from dataclasses import dataclass
 from lab.bounds import dyadic
 
 CONTRACTED = ("a + given*(g*g*g) + half*(g*g + g) + last", ("e", "a"))
-SCATTERED = ("a + given*(g*g*g) + half*(6*(g*g) + 24*g + 96)", ("e", "a"))
+AXES = "stu"
+SLOPES_SIZE = dyadic.exact(fractions.Fraction(3, 4))  # no sum of magnitudes of half the derivatives is larger
+
+
+def scattered(along=""):
+    """Of the sums of magnitudes of the weights of s, t, u: g, or n along an axis whose derivative is wanted."""
+    s, t, u = ("n" if axis == along else "g" for axis in AXES)
+    return (f"a + given*({s}*{t}*{u}) + half*(6*({t}*{u}) + 24*{u} + 96)", ("e", "d", "a") if along else ("e", "a"))
+
+
+# Of scatter, positions and derivatives by either evaluator: the axis along which, and what weights the search has.
+SCATTERS = {f"{form} along {axis}" if axis else form: (axis, f"{of_form} slopes" if axis else of_form)
+            for form, of_form in (("scatter", "affine"), ("scatter powers", "powers")) for axis in ("", *AXES)}
 FORMULAS = {
     "factored": CONTRACTED, "affine": CONTRACTED, "powers": CONTRACTED,
     "product": ("q + (1 + q)*given + last", ("e", "a")),
     "product by pairs": ("q + (1 + q)*given + last", ("e", "r")),
-    "scatter": SCATTERED, "scatter powers": SCATTERED,
+    **{form: scattered(along) for form, (along, _) in SCATTERS.items()},
     "nested": ("a + given*(g*g*g) + half*(4*g*g + 16*g + 64 + 48 + 12 + 3) + last", ("e", "a")),
 }
 DISTANCES = {"product": "a + 16*unit2*g + 64*unit2", "product by pairs": "64*unit2 + r*g + e"}
@@ -25,7 +38,7 @@ ORDERS = {"sequence": (False, 65, 128), "tree": (True, 7, 127)}
 FUSED_ORDERS = {"sequence": (False, 64, 64), "tree": (True, 7, 95)}
 # Of a form of fixed point the weights that the search calls so; and all forms in the order of the report.
 WEIGHTS = {"product": "bspline", "factored": "bspline", "affine": "affine", "powers": "powers", "nested": "centred",
-           "scatter": "affine", "scatter powers": "powers"}
+           **{form: of_form for form, (_, of_form) in SCATTERS.items()}}
 NAMES = (*WEIGHTS, *ORDERS)
 
 BLOCK_WEIGHT = -33  # what weights of bfp32 are rounded to multiples of, as a power of two
@@ -74,11 +87,13 @@ def roundings(form, nested=False):
 
 @dataclass(frozen=True)
 class Known:
-    """What is known of weights: sums of magnitudes of errors on one axis, of three, and of two."""
+    """What is known of weights: sums of magnitudes of errors on one axis, of three, and of two; and of one
+    axis with the weights of a derivative, which is then among the three."""
 
     axis: dyadic.Dyadic
     triple: dyadic.Dyadic
     pair: dyadic.Dyadic | None = None
+    slopes: dyadic.Dyadic | None = None
 
 
 def of_axes(axis):
@@ -92,10 +107,12 @@ def fixed_script(form, rounds, known, bound=None):
     lines = [f"given = {rounds.point.half().gappa()};", f"half = {rounds.narrow.half().gappa()};",
              f"last = {rounds.last.half().gappa()};", f"unit2 = {rounds.weight.half().gappa()};",
              "g = 1 + e;"]
+    if known.slopes:
+        lines.append(f"n = {SLOPES_SIZE.gappa()} + d;")
     if form in DISTANCES:
         lines.append(f"q = {DISTANCES[form]};")
     lines.append(f"all = {formula};")
-    values = {"e": known.axis, "a": known.triple, "r": known.pair}
+    values = {"e": known.axis, "d": known.slopes, "a": known.triple, "r": known.pair}
     given = " /\\ ".join(f"{name} in [0,{values[name].gappa()}]" for name in names)
     return "\n".join(lines) + "\n" + goal(given, bound)
 
@@ -195,18 +212,23 @@ def nested_theorem(rounds, known, bound):
                    proof, "forall ms mt mu x y z bs bt bu P")
 
 
-def scatter_theorem(rounds, known, bound):
+def scatter_theorem(form, rounds, known, bound):
     """The 64 parts of a gradient of at most 1 are together within the bound of those of eq. (1)."""
-    e, a = known.axis.coq(), known.triple.coq()
+    along, _ = SCATTERS[form]
     point, narrow = rounds.point, rounds.narrow
-    program = f"scatter_program s t u g {point.coq()} {narrow.coq()}"
-    proof = ("  intros s t u bs bt bu P g V S T U G.\n"
-             f"  apply (scatter_certified {e} {a} {bound.coq()} s t u bs bt bu P g {point.coq()} {narrow.coq()} "
-             f"{point.half_coq()} {narrow.half_coq()} V S T U G {point.proof()} {narrow.proof()}).\n"
-             f"  {certificate_of([known.axis, known.triple])}.\n")
-    return Theorem((f"vertex {e} {a} s t u bs bt bu P", "S4 s = 1", "S4 t = 1", "S4 u = 1", "Rabs g <= 1"),
+    sizes = " ".join(SLOPES_SIZE.coq() if axis == along else "1" for axis in AXES)
+    errors = " ".join((known.slopes if axis == along else known.axis).coq() for axis in AXES)
+    to_one = " ".join("false" if axis == along else "true" for axis in AXES)
+    weights = f"{sizes} {errors} {known.triple.coq()}"
+    program = f"scatter_program {to_one} s t u g {point.coq()} {narrow.coq()}"
+    proof = ("  intros s t u bs bt bu g V S T U G.\n"
+             f"  apply (scatter_certified {weights} {bound.coq()} {to_one} s t u bs bt bu g {point.coq()} "
+             f"{narrow.coq()} {point.half_coq()} {narrow.half_coq()} V S T U G {point.proof()} {narrow.proof()}).\n"
+             f"  {certificate_of([known.axis, *([known.slopes] if along else []), known.triple])}.\n")
+    return Theorem((f"weighted {weights} s t u bs bt bu",
+                    *(f"S4 {axis} = {0 if axis == along else 1}" for axis in AXES), "Rabs g <= 1"),
                    f"distance ({program}) (fun l m n => g * products bs bt bu l m n) <= {bound.coq()}", proof,
-                   f"{QUANTIFIED} (g : R)")
+                   "forall (s t u bs bt bu : nat -> R) (g : R)")
 
 
 def float_theorem(order, fused, known, bound):

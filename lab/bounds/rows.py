@@ -14,6 +14,7 @@ ROUNDOFF = 1e-14  # of what the search computes in double, relative
 
 # What a proof takes for granted, if anything, in the words of lab/docs/bounds.md.
 COORDINATES, PAIRS, TRIPLES = "coordinates", "pairs", "triples"
+SLOPES = " slopes"  # behind the name of weights: those of a derivative
 
 
 @dataclass(frozen=True)
@@ -119,9 +120,13 @@ def weight_rows(measured):
         yield Row(f"weights {family}", form.name, "", fact["weight"], scripts, "w - e")
 
 
-def known_of(fact):
-    """What the search has looked at all of."""
+def known_of(fact, measured):
+    """What the search has looked at all of. Weights of a derivative are known beside those of the other axes."""
     axis = upwards(fact["error"], fact["bend"])
+    if fact["weights"].endswith(SLOPES):
+        others = of(measured, "weights", weights=fact["weights"].removesuffix(SLOPES), format=fact["format"])
+        return forms.Known(upwards(others["error"], others["bend"]), upwards(fact["distance"], 4 * fact["bend"]),
+                           slopes=axis)
     if not fact["distance"]:
         return forms.of_axes(axis)
     return forms.Known(axis, upwards(fact["distance"], 4 * fact["bend"]),
@@ -134,7 +139,7 @@ def fixed_rows(measured):
         form = weights.FORMATS[fact["format"]]
         if form.is_float() or not fact["all"]:
             continue
-        known = known_of(fact)
+        known = known_of(fact, measured)
         for name in sorted(name for name, of_form in forms.WEIGHTS.items() if of_form == fact["weights"]):
             reached = of(measured, "forms", form=name, format=form.name)
             if reached:
@@ -154,8 +159,8 @@ def fixed_row(name, form, known, witness, fact):
     def theorem(bound):
         if name == "nested":
             return forms.nested_theorem(rounds, known, bound).text()
-        if name.startswith("scatter"):
-            return forms.scatter_theorem(rounds, known, bound).text()
+        if name in forms.SCATTERS:
+            return forms.scatter_theorem(name, rounds, known, bound).text()
         return forms.fixed_theorem(formula if name == "product" else "factored", rounds, known, bound).text()
 
     return Row(name, form.name, hypothesis, witness,
@@ -168,7 +173,7 @@ def float_rows(measured):
         fact = of(measured, "weights", weights="bspline", format=form.name)
         if not fact or not fact["all"]:
             continue
-        known = known_of(fact)
+        known = known_of(fact, measured)
         for name, order in (forms.FUSED_ORDERS if form.fused else forms.ORDERS).items():
             reached = of(measured, "forms", form=name, format=form.name)
             if reached:

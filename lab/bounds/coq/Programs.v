@@ -75,14 +75,18 @@ Definition product_program (weight point out : R -> R) :=
   out (sum3 (fun l m n => weight (weight (s l * t m) * u n) * point (P l m n))).
 End Programs.
 
-(** What a part v gives each bank of an axis, and a gradient the banks of three (scatter). *)
-Definition expanded (share : R -> R) (w : nat -> R) (v : R) (b : nat) :=
+(** What a part v gives each bank of an axis, and a gradient the banks of three (scatter). The weights
+    of an axis sum to 1, or to 0 where the derivative along it is wanted. *)
+Definition total (to_one : bool) : R := if to_one then 1 else 0.
+Definition expanded (share : R -> R) (to_one : bool) (w : nat -> R) (v : R) (b : nat) :=
   let c0 := share (w 0%nat * v) in
   let c1 := share ((w 0%nat + w 1%nat) * v) in
   let c2 := share ((w 0%nat + w 1%nat + w 2%nat) * v) in
-  match b with 0%nat => c0 | 1%nat => c1 - c0 | 2%nat => c2 - c1 | _ => v - c2 end.
-Definition scatter_program (s t u : nat -> R) (g : R) (point share : R -> R) (l m n : nat) :=
-  expanded share u (expanded share t (expanded share s (point g) l) m) n.
+  let c3 := if to_one then v else 0 in
+  match b with 0%nat => c0 | 1%nat => c1 - c0 | 2%nat => c2 - c1 | _ => c3 - c2 end.
+Definition scatter_program (one_s one_t one_u : bool) (s t u : nat -> R) (g : R) (point share : R -> R)
+    (l m n : nat) :=
+  expanded share one_u u (expanded share one_t t (expanded share one_s s (point g) l) m) n.
 
 (** A cell's polynomial about its centre, then Horner's rule along u, t, s. *)
 Definition horner_program (r : R -> R) (x : R) (c : nat -> R) :=

@@ -74,12 +74,15 @@ Proof.
   apply axis_error; assumption.
 Qed.
 
-Lemma norm_of_error w b e : norm b <= 1 -> norm (fun i => w i - b i) <= e -> norm w <= 1 + e.
+Lemma norm_within w b n e : norm b <= n -> norm (fun i => w i - b i) <= e -> norm w <= n + e.
 Proof.
   intros B E; apply Rle_trans with (norm b + norm (fun i => w i - b i)); [|lra].
   unfold norm; rewrite <- S4_plus; apply S4_le; intro i.
   replace (w i) with (b i + (w i - b i)) at 1 by ring; apply Rabs_triang.
 Qed.
+
+Lemma norm_of_error w b e : norm b <= 1 -> norm (fun i => w i - b i) <= e -> norm w <= 1 + e.
+Proof. apply norm_within. Qed.
 
 (** Three axes. *)
 Lemma sum3_le f g : (forall l m n, f l m n <= g l m n) -> sum3 f <= sum3 g.

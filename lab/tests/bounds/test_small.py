@@ -98,7 +98,7 @@ def test_a_proof_that_rests_on_what_it_says_is_none(tmp_path):
 @NEEDS_GAPPA
 @pytest.mark.parametrize("form", sorted(forms.FORMULAS))
 def test_a_composed_bound_is_no_larger_than_its_formula(form):
-    known = forms.Known(dyadic.power(-14), dyadic.power(-12), dyadic.power(-12))
+    known = forms.Known(dyadic.power(-14), dyadic.power(-12), dyadic.power(-12), dyadic.power(-13))
     rounds = forms.roundings(FX16, form == "nested")
 
     def script(bound):
