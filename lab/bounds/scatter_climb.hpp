@@ -13,7 +13,8 @@ namespace hwffd::certified {
 /// Hill climbing over a vertex and its gradient: the sum of the errors of its 64 parts against the
 /// gradient times equation (1), or half its derivative along an axis, as the model rounds them.
 /// What saturates does not count.
-template <class F>
+/// @tparam Parts  how parts are rounded
+template <class F, class Parts = model::RoundedParts<F>>
 class ScatterClimb {
  public:
   /// @param powers      the weights are those of the evaluator `powers`, else polynomials
@@ -75,8 +76,7 @@ class ScatterClimb {
     }
     const double gradient = std::ldexp(static_cast<std::int32_t>(witness.result), -31);
     const auto cumulative = model::cumulative_of<F>(vertex, bank_, powers_);
-    const auto parts =
-        model::scattered<model::RoundedParts<F>>(cumulative, F::point(witness.result), derivative_);
+    const auto parts = model::scattered<Parts>(cumulative, F::point(witness.result), derivative_);
     double sum = 0;
     for (int index = 0; index < 64; ++index) {
       if (parts[index].saturated) return 0;
