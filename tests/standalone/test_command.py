@@ -4,7 +4,9 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import os
+import pathlib
 import re
+import shutil
 
 import pytest
 
@@ -13,7 +15,15 @@ from tools.project_root import ROOT
 from tools.standalone import command, configuration, folder
 from tools.tables import parameter_space
 
+LITTLE = {"ORG": 1, "N": 1, "FORMAT": 18, "EVALUATOR": 0, "INTERLEAVED": 0, "AXIS": 4}
 SMALL = ("--org", "cg1", "--format", "fx18", "--axis", "4", "--features", "resident", "--vertices", "20")
+
+
+@pytest.fixture(scope="module")
+def little(tmp_path_factory):
+    """Tests change nothing in its folder."""
+    core = configuration.of_parameters(parameter_space.Space(), "hwffd_stream", "little", LITTLE)
+    return bench.Folder(core, tmp_path_factory.mktemp("folder") / "little", 20)
 
 
 @pytest.fixture
@@ -94,9 +104,13 @@ def test_the_folder_has_what_it_says(made, tmp_path):
     assert len(sheet.splitlines()) <= 125  # two pages
 
 
-@pytest.mark.parametrize("words, multipliers", [((), 6), (("--features", "resident+interleaved+derivatives+determinant"), 9)])
-def test_a_core_that_a_release_has_mapped_has_its_size(made, tmp_path, words, multipliers):
-    assert made(*words, "--vertices", "1", "-o", "core")[0] == 0
+@pytest.mark.parametrize("words, multipliers, has", [
+    ((), 6, "resident+interleaved"),
+    (("--features", "resident+interleaved+derivatives+determinant"), 9, "resident+interleaved+derivatives+determinant")])
+def test_a_core_that_a_release_has_mapped_has_its_size(made, tmp_path, words, multipliers, has):
+    """Without an option it gives positions."""
+    status, out, _ = made(*words, "--vertices", "1", "-o", "core")
+    assert status == 0 and out.startswith(f"core: hwffd_stream, cg1 in fx18, {has}: ")
     assert re.search(rf"^\| ecp5 \| \d+ \| \d+ \| {multipliers} \| \d+ \| \d+\.\d+\.\d+ \|$",
                      (tmp_path / "core" / "README.md").read_text(), re.MULTILINE)
 
@@ -113,62 +127,55 @@ def test_the_latency_is_that_of_the_testbench(made, tmp_path, monkeypatch):
                                                          "or leave the option out\n")
 
 
-def test_the_core_without_an_option_gives_positions(made):
-    assert made("--vertices", "2", "-o", "core")[1].startswith("core: hwffd_stream, cg1 in fx18, resident+interleaved: ")
-
-
-def test_a_word_that_is_wrong_is_seen(tmp_path):
-    core = configuration.of_parameters(
-        parameter_space.Space(), "hwffd_stream", "little",
-        {"ORG": 1, "N": 1, "FORMAT": 18, "INTERLEAVED": 0, "AXIS": 4})
-    small = bench.Folder(core, tmp_path / "little", 20)
-    assert small.passed()[0] == 20
-    results = tmp_path / "little" / "little_results.hex"
+def test_a_word_that_is_wrong_is_seen(little, monkeypatch, tmp_path):
+    assert little.passed()[0] == 20
+    monkeypatch.setattr(little, "path", pathlib.Path(shutil.copytree(little.path, tmp_path / "wrong")))
+    results = little.path / "little_results.hex"
     lines = results.read_text().splitlines()
     lines[11] = lines[11][:-1] + ("0" if lines[11][-1] != "0" else "1")
     results.write_text("\n".join(lines) + "\n")
-    status, output = small.simulated()
+    status, output = little.simulated()
     assert status == 1 and "FAIL result 11 of 20" in output
 
 
-def test_two_cores_are_in_one_design(tmp_path):
-    space, folders = parameter_space.Space(), []
-    for prefix, parameters in (("first", {"ORG": 1, "N": 1, "FORMAT": 18, "EVALUATOR": 0, "INTERLEAVED": 0, "AXIS": 4}),
-                               ("second", {"ORG": 0, "N": 1, "FORMAT": 0, "EVALUATOR": 0, "RESIDENT": 0, "AXIS": 4})):
-        core = configuration.of_parameters(space, "hwffd_stream", prefix, parameters)
-        folders.append(bench.Folder(core, tmp_path / prefix, 10))
+def test_two_cores_are_in_one_design(little, tmp_path):
+    other = configuration.of_parameters(parameter_space.Space(), "hwffd_stream", "other", {
+        "ORG": 0, "N": 1, "FORMAT": 18, "EVALUATOR": 0, "RESIDENT": 0, "AXIS": 4})
+    folders = [little, bench.Folder(other, tmp_path / "other", 10)]
     files = [one.path / f"{one.prefix}.v" for one in folders]
-    for one in folders:
-        assert one.passed(sources=files)[0] == 10
+    for one, vertices in zip(folders, (20, 10)):
+        assert one.passed(sources=files, name="both")[0] == vertices
     # Nothing of one is called as anything of the other.
     modules = [set(re.findall(r"^module (\w+)", one.text(".v"), re.MULTILINE)) for one in folders]
     assert modules[0] and not modules[0] & modules[1]
     both = tmp_path / "both.v"
-    both.write_text("module both;\n  first u_first ();\n  second u_second ();\nendmodule\n")
+    both.write_text("module both;\n  little u_little ();\n  other u_other ();\nendmodule\n")
     status, output = bench.run("iverilog", "-g2005", "-t", "null", "-s", "both", *files, both)
     assert (status, output) == (0, "")
 
 
-def test_a_free_parameter_beyond_its_range_stops_elaboration(tmp_path):
-    core = configuration.of_parameters(space := parameter_space.Space(), "hwffd_stream", "little",
-                                       {"ORG": 1, "N": 1, "FORMAT": 18, "EVALUATOR": 0, "INTERLEAVED": 0, "AXIS": 4})
-    assert space and core.free["MUL_LATENCY"].text == "1 to 8"
-    small = bench.Folder(core, tmp_path / "little", 1)
-    bench_text = small.with_parameters("little", {"MUL_LATENCY": 9})
-    (tmp_path / "tb.v").write_text(bench_text)
-    status, output = bench.run("iverilog", "-g2005", "-t", "null", "-s", "little_tb", small.path / "little.v", tmp_path / "tb.v")
+def test_a_free_parameter_beyond_its_range_stops_elaboration(little, tmp_path):
+    assert little.core.free["MUL_LATENCY"].text == "1 to 8"
+    (tmp_path / "tb.v").write_text(little.with_parameters("little", {"MUL_LATENCY": 9}))
+    status, output = bench.run("iverilog", "-g2005", "-t", "null", "-s", "little_tb", little.path / "little.v", tmp_path / "tb.v")
     assert status != 0 and "ERROR_little_mul_latency_is_not_one_of_those_above" in output
 
 
-def test_the_page_prints_what_it_says(made, tmp_path):
+@pytest.mark.parametrize("vertices", (20, pytest.param(1000, marks=pytest.mark.whole)))
+def test_the_page_prints_what_it_says(made, tmp_path, vertices):
+    """With 20 vertices but for these numbers and the clocks."""
     page = (ROOT / "docs" / "standalone.md").read_text(encoding="utf-8")
     blocks = re.compile(r"\n    hwffd core (.*)\n    (cd .*)\n")
     ((command_line, tools_line),) = blocks.findall(page)
     assert blocks.findall((ROOT / "docs" / "integrate.md").read_text(encoding="utf-8")) == [(command_line, tools_line)]
     (printed,) = re.findall(r"\n```text\n(.*?)```\n", page, re.DOTALL)
-    status, out, errors = made(*command_line.split())
-    assert (status, errors) == (0, "")
-    assert bench.run("sh", "-c", tools_line, cwd=tmp_path) == (0, printed.removeprefix(out)) and printed.startswith(out)
+    status, out, errors = made(*command_line.split(), *([] if vertices == 1000 else ["--vertices", vertices]))
+    assert (status, errors) == (0, "") and printed.startswith(out)
+    status, passed = bench.run("sh", "-c", tools_line, cwd=tmp_path)
+    wanted = printed.removeprefix(out)
+    if vertices != 1000:
+        passed = re.sub("[0-9]+ clocks", re.search("[0-9]+ clocks", wanted)[0], passed.replace(f" {vertices} ", " 1000 "))
+    assert (status, passed) == (0, wanted)
 
 
 @pytest.mark.whole
@@ -184,8 +191,7 @@ def test_a_core_is_mapped(made, tmp_path):
 @pytest.mark.whole
 @pytest.mark.parametrize("top", configuration.TOPS)
 def test_verilator_says_the_same_as_icarus(tmp_path, top):
-    core = configuration.of_parameters(parameter_space.Space(), top, "little", {
-        "ORG": 1, "N": 1, "FORMAT": 18, "EVALUATOR": 0, "INTERLEAVED": 0, "AXIS": 4})
+    core = configuration.of_parameters(parameter_space.Space(), top, "little", LITTLE)
     little = bench.Folder(core, tmp_path / "little", 20)
     passed = little.passed()
     status, output = bench.run("verilator", "--binary", "--timing", "--top-module", "little_tb", "little.v", "little_tb.v",
@@ -196,7 +202,7 @@ def test_verilator_says_the_same_as_icarus(tmp_path, top):
 
 
 def test_constraints_have_every_port(made, tmp_path):
-    assert made(*SMALL, "--top", "hwffd_axi", "-o", "core")[0] == 0
+    assert made(*SMALL, "--vertices", "1", "--top", "hwffd_axi", "-o", "core")[0] == 0
     header = re.search(r"\nmodule core #\(.*?\n\);", (tmp_path / "core" / "core.v").read_text(), re.DOTALL)[0]
     for suffix in "sdc", "xdc":
         text = (tmp_path / "core" / f"core.{suffix}").read_text()

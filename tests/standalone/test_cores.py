@@ -11,7 +11,7 @@ from tests.standalone import bench
 
 TOPS = ("hwffd_stream", "hwffd_axi", "hwffd_stream_bus", "hwffd_wishbone")
 DRAWN = 20
-SOME = (1,)  # of them, in make test: one with a DMA engine
+SOME = (17,)  # of them, in make test: a small one with a DMA engine and many features
 VERTICES = 24
 
 CHECK = """#define {guard}_MODEL_IMPLEMENTATION
@@ -72,8 +72,9 @@ def test_free_parameters_change_no_word(written):
     assert (vertices, results) == (VERTICES, written.text("_results.hex").count("\n"))
 
 
-def test_no_tool_has_a_warning(written):
-    assert written.lint() == []
+@pytest.mark.parametrize("every", (False, pytest.param(True, marks=pytest.mark.whole)))
+def test_no_tool_has_a_warning(written, every):
+    assert written.lint(every) == []
 
 
 def test_the_file_is_the_core_alone(written):

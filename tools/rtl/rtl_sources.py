@@ -33,6 +33,7 @@ SIMULATION = "FFD_SIMULATION"
 ASSERTIONS = "FFD_ASSERTIONS"
 
 
+@functools.cache
 def strip_comments(text):
     """Verilog without comments and strings; every line keeps its number and its columns."""
 

@@ -42,6 +42,7 @@ class Design:
         self.refusals = []  # of the last elaboration
         self.memories = None  # of the first elaboration: Shape -> how many
         self.ports = {}  # of the top: name -> (direction, bits)
+        self.known = {}  # (module, values of its parameters), nothing of which is refused -> its memories
 
     def elaborate(self, parameters):
         """Adds what a configuration has. Raises ValueError where the RTL refuses it."""
@@ -60,7 +61,7 @@ class Design:
         for tree in self.trees.values():
             compilation.addSyntaxTree(tree)
         top = compilation.getRoot().topInstances[0]
-        memories = self._instance(top, {})
+        memories = self._instance(top)
         if self.memories is None:
             self.memories = memories
         if not self.ports:
@@ -68,40 +69,45 @@ class Design:
                                       port.type.bitWidth) for port in top.body.portList}
         return self.refusals
 
-    def _instance(self, instance, seen):
-        """The memories of an instance. `seen` has those of modules with these parameters."""
+    def _instance(self, instance):
+        """The memories of an instance. What has been looked at with these parameters, in this elaboration or before, is not
+        looked at again."""
         body = instance.body
         name = body.definition.name
+        parameters = [parameter for parameter in body.parameters if parameter.isPortParam]
         # A default that an instance relies on stays as it is.
         self.relied.setdefault(name, set()).update(
             parameter.name for parameter in body.parameters if not parameter.isOverridden)
-        key = name, tuple(str(parameter.value) for parameter in body.parameters)
-        if key not in seen:
-            self.modules.setdefault(name, _values(body))
-            seen[key] = Counter([Shape(*map(_values(body).get, ("WIDTH", "DEPTH", "READ_LATENCY")))]
-                                if name == MEMORY else [])
-            self._members(body, seen, seen[key])
-        return seen[key]
+        key = name, tuple(str(parameter.value) for parameter in parameters)
+        if key in self.known:
+            return self.known[key]
+        self.modules.setdefault(name, _values(body))
+        memories = Counter([Shape(*map(_values(body).get, ("WIDTH", "DEPTH", "READ_LATENCY")))] if name == MEMORY else [])
+        refused = len(self.refusals)
+        self._members(body, memories)
+        if len(self.refusals) == refused:
+            self.known[key] = memories
+        return memories
 
-    def _members(self, scope, seen, memories):
+    def _members(self, scope, memories):
         for member in scope:
             if member.kind == ast.SymbolKind.Instance:
-                memories.update(self._instance(member, seen))
+                memories.update(self._instance(member))
             elif member.kind == ast.SymbolKind.InstanceArray:
                 for instance in member.elements:
-                    memories.update(self._instance(instance, seen))
+                    memories.update(self._instance(instance))
             elif member.kind == ast.SymbolKind.GenerateBlockArray:
                 for block in member.entries:
-                    self._block(block, seen, memories)
+                    self._block(block, memories)
             elif member.kind == ast.SymbolKind.GenerateBlock:
-                self._block(member, seen, memories)
+                self._block(member, memories)
             elif member.kind == ast.SymbolKind.UninstantiatedDef:
                 self.refusals.append(member.definitionName)
 
-    def _block(self, block, seen, memories):
+    def _block(self, block, memories):
         if not block.isUninstantiated:
             self.arms.add(place(block.syntax))
-            self._members(block, seen, memories)
+            self._members(block, memories)
 
 
 def _values(body):

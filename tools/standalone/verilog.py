@@ -49,7 +49,7 @@ class _Renaming:
         return word
 
     def __call__(self, text):
-        return _WORD.sub(self._word, text)
+        return _WORD.sub(self._word, text) if "ffd_" in text else text
 
 
 def _comments(trivia):
