@@ -11,6 +11,7 @@ import signal
 import subprocess
 import sys
 
+import forked
 import hwffd
 import numpy as np
 import pytest
@@ -32,8 +33,7 @@ def folder_with_a_pair(tmp_path_factory):
 
 
 def run(folder, *words):
-    return subprocess.run([sys.executable, PROGRAM, *words], cwd=folder, capture_output=True, text=True,
-                          check=False)
+    return forked.run(folder, PROGRAM, *words)
 
 
 def pair_and(folder, *words):

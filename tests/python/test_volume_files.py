@@ -13,6 +13,7 @@ import subprocess
 import sys
 import time
 
+import forked
 import hwffd
 import numpy as np
 import pytest
@@ -30,7 +31,7 @@ def files(folder):
 
 
 def call(folder, *words):
-    return subprocess.run([PROGRAM, *words], cwd=folder, capture_output=True, text=True, check=False)
+    return forked.run(folder, PROGRAM, *words)
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)
@@ -134,8 +135,9 @@ def folder(tmp_path):
 
 
 def test_the_program_does_what_the_module_does(folder):
-    result = call(folder, "in.nrrd", "rest.json", "out.mha", "--deform", "to:moved.json", "--device",
-                  "reference", "--field", "field.nrrd", "--default", "-5", "--outside", "clamp")
+    words = ["in.nrrd", "rest.json", "out.mha", "--deform", "to:moved.json", "--device", "reference", "--field", "field.nrrd",
+             "--default", "-5", "--outside", "clamp"]
+    result = subprocess.run([PROGRAM, *words], cwd=folder, capture_output=True, text=True, check=False)
     assert (result.returncode, result.stderr) == (0, "")
     assert result.stdout.splitlines()[1:] == ["reference", "wrote out.mha and field.nrrd"]
     assert result.stdout.startswith(f"lattice 8x6x5: {41 * 29 * 19} voxels, 0 outside it, ")
@@ -207,6 +209,9 @@ def test_the_program_refuses_in_a_line(folder, line):
     before = files(folder)
     result = call(folder, *line.split())
     status, *words = REFUSED[line]
+    if line == "in.nrrd none.json out.nrrd":  # as it is called
+        alone = subprocess.run([PROGRAM, *line.split()], cwd=folder, capture_output=True, text=True, check=False)
+        assert (alone.returncode, alone.stdout, alone.stderr) == (result.returncode, result.stdout, result.stderr)
     assert (result.returncode, result.stdout) == (status, ""), result.stderr
     assert result.stderr.startswith("hwffd-warp: ") and result.stderr.count("\n") == 1
     assert len(result.stderr) < 250

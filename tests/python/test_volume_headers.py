@@ -13,6 +13,7 @@ import sys
 import warnings
 import zlib
 
+import forked
 import hwffd
 import numpy as np
 import pytest
@@ -178,31 +179,34 @@ locale.setlocale(locale.LC_ALL, "")
 assert locale.localeconv()["decimal_point"] == ","
 import hwffd
 from hwffd import volumes
-volume = volumes.read(sys.argv[1])
-volumes.write(sys.argv[2], volume)
-lattice = hwffd.Lattice.read(sys.argv[3])
+lattice = hwffd.Lattice.read("in.json")
 lattice.deform("move:1,1,1:0.25,0.5,0.75")
-lattice.write(sys.argv[4])
-print(*volume.spacing, *volume.origin)
+lattice.write("out.json")
+for suffix in sys.argv[1:]:
+    volume = volumes.read(f"in{suffix}")
+    volumes.write(f"out{suffix}", volume)
+    print(*volume.spacing, *volume.origin)
 assert locale.localeconv()["decimal_point"] == "," and locale.str(1.5) == "1,5"
 """
 
 
-@pytest.mark.parametrize("suffix", SUFFIXES)
-def test_numbers_have_points_in_every_locale(suffix, comma, tmp_path):
+def test_numbers_have_points_in_every_locale(comma, tmp_path):
     volume = phantom(np.int16)
-    volumes.write(tmp_path / f"in{suffix}", volume)
+    for suffix in SUFFIXES:
+        volumes.write(tmp_path / f"in{suffix}", volume)
     lattice = hwffd.Lattice.around("box", [[0.5, 0.25, 0.125], [1.5, 1.25, 1.125]])
     lattice.write(tmp_path / "in.json")
-    result = subprocess.run([sys.executable, "-c", IN_A_LOCALE, f"in{suffix}", f"out{suffix}", "in.json",
-                             "out.json"], cwd=tmp_path, capture_output=True, text=True, check=False,
-                            env={**os.environ, **comma})
+    result = subprocess.run([sys.executable, "-c", IN_A_LOCALE, *SUFFIXES], cwd=tmp_path, capture_output=True, text=True,
+                            check=False, env={**os.environ, **comma})
     assert (result.returncode, result.stderr) == (0, "")
-    numbers = np.array([float(x) for x in result.stdout.split()])
-    np.testing.assert_allclose(numbers, [*volume.spacing, *volume.origin], rtol=1e-6)
-    again = volumes.read(tmp_path / f"out{suffix}")
-    np.testing.assert_allclose([*again.spacing, *again.origin], numbers, rtol=1e-6)
-    np.testing.assert_array_equal(again.values, volume.values)
+    lines = result.stdout.splitlines()
+    assert len(lines) == len(SUFFIXES)
+    for suffix, line in zip(SUFFIXES, lines):
+        numbers = np.array([float(x) for x in line.split()])
+        np.testing.assert_allclose(numbers, [*volume.spacing, *volume.origin], rtol=1e-6)
+        again = volumes.read(tmp_path / f"out{suffix}")
+        np.testing.assert_allclose([*again.spacing, *again.origin], numbers, rtol=1e-6)
+        np.testing.assert_array_equal(again.values, volume.values)
     lattice.deform("move:1,1,1:0.25,0.5,0.75")
     np.testing.assert_array_equal(hwffd.Lattice.read(tmp_path / "out.json").control_points,
                                   lattice.control_points)
@@ -267,8 +271,8 @@ def test_names_are_bytes(suffix, tmp_path):
     assert os.fsencode(f"wrote {NAME}out{suffix} and {NAME}field{suffix}\n") in result.stdout
     np.testing.assert_array_equal(volumes.read(folder / f"{NAME}out{suffix}").values, volume.values)
     assert {os.fsencode(entry.name)[:2] for entry in folder.iterdir()} <= {b"v\xe9", b"pl"}
-    result = warped(folder, f"{NAME}none{suffix}", "box", f"{NAME}out{suffix}")
-    assert result.returncode == 1 and result.stderr.count(b"\n") == 1 and b"is not there" in result.stderr
+    result = forked.run(folder, PROGRAM, f"{NAME}none{suffix}", "box", f"{NAME}out{suffix}")
+    assert result.returncode == 1 and result.stderr.count("\n") == 1 and "is not there" in result.stderr
 
 
 def test_words_of_the_command_are_bytes(tmp_path):
@@ -281,9 +285,9 @@ def test_words_of_the_command_are_bytes(tmp_path):
                   ["box", "--device", "model", "--org", NAME], ["box", "--field", f"{NAME}/a.nrrd"],
                   ["box", "--dims", NAME]):
         lattice, *more = words
-        result = warped(tmp_path, "in.nrrd", lattice, "out.nrrd", *more)
-        assert result.returncode in (1, 2) and result.stderr.startswith(b"hwffd-warp: "), result.stderr
-        assert result.stderr.count(b"\n") == 1 and result.stdout == b""
+        result = forked.run(tmp_path, PROGRAM, "in.nrrd", lattice, "out.nrrd", *more)
+        assert result.returncode in (1, 2) and result.stderr.startswith("hwffd-warp: "), result.stderr
+        assert result.stderr.count("\n") == 1 and result.stdout == ""
 
 
 KEYS = ["Segment0_Name:=liver", "modality:=CT", r"text:=two\nlines and a \\ more", "empty:=",
@@ -294,9 +298,9 @@ HELD = {"Segment0_Name": "liver", "modality": "CT", "text": "two\nlines and a \\
 
 def lost(folder, source, target):
     """What hwffd warp says is dropped on the way from one file to another, and what is not."""
-    result = warped(folder, source, "box", target, "--order", "0")
+    result = forked.run(folder, PROGRAM, source, "box", target, "--order", "0")
     assert result.returncode == 0, result.stderr
-    errors = result.stderr.decode()
+    errors = result.stderr
     before = volumes.read(folder / source).metadata
     after = volumes.read(folder / target).metadata
     names = errors.removeprefix(f"hwffd-warp: warning: {target}: dropped: ").split(", ") if errors else []
