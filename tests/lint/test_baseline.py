@@ -8,6 +8,7 @@ import re
 
 import pytest
 
+from tests.support import forked_snakemake
 from tools.rtl import rtl_sources
 from tools.synth import baseline, synthesis
 from tools.tables import configurations
@@ -82,7 +83,8 @@ def tree(checkout):
 @pytest.fixture
 def run(tree):
     def called(command, *words):
-        status, out, errors = tree.module("tools.synth.synth_baseline", command, "--root", tree.root, *words)
+        status, out, errors = forked_snakemake.module(tree.root, "tools.synth.synth_baseline", command, "--root", tree.root,
+                                                      *words)
         return status, out.splitlines(), errors.splitlines()
     return called
 

@@ -11,6 +11,7 @@ import sys
 
 import pytest
 
+from tests.support import forked_snakemake
 from tools.project_root import ROOT
 from tools.synth import boards
 from tools.tables import configurations
@@ -64,8 +65,8 @@ def stand_in(checkout):
 def run(checkout, stand_in):
     def called(*words, path="", seed="1"):
         path = path or f"{checkout.root}/bin{os.pathsep}{os.environ['PATH']}"
-        status, out, errors = checkout.module("tools.synth.bitstreams", "--root", checkout.root, *words, *(["--seed", seed] if seed else []),
-            env={**os.environ, "PATH": path})
+        status, out, errors = forked_snakemake.module(checkout.root, "tools.synth.bitstreams", "--root", checkout.root, *words,
+                                                      *(["--seed", seed] if seed else []), PATH=path)
         return status, [line for line in out.splitlines() if not re.match(
             r"\[\d+/\d+\] |boards: \d+ rows", line)], errors.splitlines()
     return called

@@ -11,6 +11,7 @@ import sys
 
 import pytest
 
+from tests.support import forked_snakemake
 from tools.project_root import ROOT
 from tools.synth import nextpnr, placement, synthesis
 
@@ -106,8 +107,8 @@ def pnr(tree, stand_in):
     """Exit status, complaints, programs that ran."""
     def run(*words):
         tree.put({"ran": ""})
-        status, _, errors = tree.module("tools.synth.pnr", "--root", tree.root, "-j1", *words,
-            env={**os.environ, "PATH": f"{tree.root}/bin{os.pathsep}{os.environ['PATH']}"})
+        status, _, errors = forked_snakemake.module(tree.root, "tools.synth.pnr", "--root", tree.root, "-j1", *words,
+                                                    PATH=f"{tree.root}/bin{os.pathsep}{os.environ['PATH']}")
         return status, errors.splitlines(), [json.loads(line)[0]
                                              for line in tree.text("ran").splitlines()]
     return run

@@ -15,6 +15,7 @@ import time
 
 import pytest
 
+from tests.support import forked_snakemake
 from tools import csv_table
 from tools.synth import liberty, selection, synthesis, timing, variants
 from tools.tables import configurations
@@ -132,7 +133,11 @@ class Tree:
         return [sys.executable, "-B", "-m", "tools.synth", "--root", self.root, *words]
 
     def synth(self, *words):
-        status, out, errors = self.run(*self.command(*words), env=self.environment)
+        without_cells = "--target" in words and liberty.TARGET not in words
+        if without_cells or self.library == str(liberty.PATH):
+            status, out, errors = forked_snakemake.module(self.root, "tools.synth", "--root", self.root, *words, PATH=self.path)
+        else:
+            status, out, errors = self.run(*self.command(*words), env=self.environment)
         return status, out.splitlines(), errors.splitlines()
 
     def ran(self):

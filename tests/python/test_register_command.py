@@ -11,13 +11,14 @@ import signal
 import subprocess
 import sys
 
-import forked
 import hwffd
 import numpy as np
 import pytest
 import SimpleITK as sitk
 from hwffd import volumes
 from test_registration import small_pair
+
+from tests.support import forked
 
 PROGRAM = pathlib.Path(hwffd.__file__).parents[1] / "hwffd-register"
 SMALL = ["--spacing", "8", "--levels", "2", "--iterations", "4"]

@@ -13,7 +13,6 @@ import subprocess
 import sys
 import time
 
-import forked
 import hwffd
 import numpy as np
 import pytest
@@ -21,6 +20,8 @@ import SimpleITK as sitk
 from hwffd import volumes
 from hwffd.volumes.files import SUFFIXES
 from phantom import deformed, phantom
+
+from tests.support import forked
 
 PROGRAM = pathlib.Path(hwffd.__file__).parents[1] / "hwffd-warp"
 FAILURE, USAGE = 1, 2

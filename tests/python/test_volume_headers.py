@@ -13,13 +13,14 @@ import sys
 import warnings
 import zlib
 
-import forked
 import hwffd
 import numpy as np
 import pytest
 from hwffd import volumes
 from hwffd.volumes.files import SUFFIXES
 from phantom import phantom
+
+from tests.support import forked
 
 PROGRAM = pathlib.Path(hwffd.__file__).parents[1] / "hwffd-warp"
 SHAPE = (3, 4, 5)

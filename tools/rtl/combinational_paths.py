@@ -42,9 +42,9 @@ def netlist(sources, module, parameters):
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "netlist.json"
         status, output = rtl_sources.run(["yosys", "-Q", "-T", "-q", "-p", "; ".join([
-            f"read_verilog {folders}{files}", f"hierarchy -check -top {module}{values}", "proc",
-            *rtl_sources.FLATTEN, "opt_clean", "memory_dff", "memory_collect", "splitnets", "simplemap",
-            "opt_clean", f'write_json "{out}"'])])
+            f"read_verilog {folders}{files}", f"hierarchy -check -top {module}{values}", "proc", "opt_clean -purge",
+            *rtl_sources.FLATTEN, "opt_clean -purge", "memory_dff", "memory_collect", "splitnets", "simplemap",
+            "opt_clean -purge", f'write_json "{out}"'])])
         if status != 0:
             lines = output.strip().splitlines()
             raise PathError(lines[-1] if lines else f"yosys: exit status {status}")

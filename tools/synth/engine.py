@@ -59,12 +59,16 @@ def run(root, name, wanted, jobs, config=(), items="rows", rules="synth/Snakefil
     return {item: complaint(root, paths[0], output) for item, paths in absent.items() if paths}
 
 
+def start(command):
+    """The process."""
+    return subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                            errors="replace", start_new_session=True, env=project_root.environment())
+
+
 def _follow(command):
     """Runs Snakemake and shows how far it is: all that it said."""
     lines, words, name, progress = [], {}, "", Progress()
-    process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                               stderr=subprocess.STDOUT, text=True, errors="replace",
-                               start_new_session=True, env=project_root.environment())
+    process = start(command)
     try:
         for line in process.stdout:
             lines.append(line.strip())
