@@ -9,10 +9,10 @@ import pathlib
 import re
 import shutil
 import subprocess
-import sys
 
 import pytest
 
+from tests.support import forked
 from tools.project_root import environment
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
@@ -60,7 +60,8 @@ class Checkout:
     def module(self, name, *words, **more):
         """The same of a module of the checkout that is a command."""
         environment = {**(more.pop("env", None) or os.environ), "PYTHONPATH": str(ROOT)}
-        return self.run(sys.executable, "-B", "-m", name, *words, env=environment, **more)
+        result = forked.run_module(self.root, name, *words, env=environment)
+        return result.returncode, result.stdout, result.stderr
 
     def git(self, *words):
         subprocess.run(["git", "-C", self.root, "-c", "user.name=x", "-c", "user.email=x@x.example",

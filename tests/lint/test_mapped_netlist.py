@@ -234,7 +234,12 @@ def test_gates_as_yosys_counts_them(mapping):
             "cells": cells, "ff": flipflops}
 
 
-@pytest.mark.parametrize("target", ("ecp5", "up5k", "hx8k", "xilinx7", *chips.TARGETS))
+# In make test those that take a second, and one of iCE40.
+SOON = ("ecp5", "up5k", "gowin", "gw5a", "gatemate")
+
+
+@pytest.mark.parametrize("target", [target if target in SOON else pytest.param(target, marks=pytest.mark.whole)
+                                    for target in ("ecp5", "up5k", "hx8k", "xilinx7", *chips.TARGETS)])
 def test_targets_as_yosys_counts_them(mapping, target):
     netlists, output = mapping("ffd_eval_poly", target, "ffd_num_step", "FORMAT 18")
     totals = Counter()

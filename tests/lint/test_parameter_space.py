@@ -82,7 +82,7 @@ def part(whole, share):
     return whole[first % share::share]
 
 
-SHARE = int(os.environ.get("HWFFD_SPACE_SHARE", "8"))
+SHARE = int(os.environ.get("HWFFD_SPACE_SHARE", "16"))
 CASES = part(cases() + arithmetic_cases(), SHARE)
 
 

@@ -5,6 +5,11 @@ SPDX-License-Identifier: Apache-2.0
 
 import os
 
+try:
+    from snakemake import cli
+except ImportError:  # where it is one of the system
+    cli = None
+
 from tests.support import forked
 from tools import project_root
 from tools.synth import engine
@@ -14,7 +19,6 @@ class _Snakemake:
     """What engine.py wants of a process, for the words of a command line of Snakemake."""
 
     def __init__(self, words, **_):
-        from snakemake import cli
         reading, writing = os.pipe()
         self.pid = os.fork()
         if self.pid == 0:
@@ -34,11 +38,5 @@ def _instead():
 
 def module(root, name, *words, **environment):
     """(exit status, what it printed, its complaints) of a module of the checkout, run in a folder."""
-    try:
-        from snakemake import cli as _
-    except ImportError:  # where it is one of the system
-        instead = None
-    else:
-        instead = _instead
-    result = forked.run_module(root, name, *words, env={**os.environ, **environment}, instead=instead)
+    result = forked.run_module(root, name, *words, env={**os.environ, **environment}, instead=_instead if cli else None)
     return result.returncode, result.stdout, result.stderr
