@@ -1,8 +1,9 @@
 """A registration built by gcc and by clang has the same bits.
 
-    pytest test_two_compilers.py --argument=PROGRAM --argument=SOURCE... --argument=-OPTION...
+    pytest test_two_compilers.py --argument=PROGRAM --argument=SOURCE... --argument=LIBRARY... --argument=-OPTION...
 
-PROGRAM was built with the project, of the first SOURCE and the library.
+PROGRAM was built with the project, of the first SOURCE and the library. Where each LIBRARY is given, make test takes from these
+what is no part of registration, as gcc has built it.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -20,12 +21,16 @@ def lines_of(program):
     return subprocess.run([program], check=True, capture_output=True, text=True).stdout.splitlines()
 
 
-def test_clang_gives_the_bits_of_gcc(arguments, tmp_path):
+@pytest.mark.parametrize("everything", (False, pytest.param(True, marks=pytest.mark.whole)))
+def test_clang_gives_the_bits_of_gcc(arguments, tmp_path, everything):
     clang = shutil.which("clang++")
     if clang is None:
         pytest.skip("no clang++: run tools/install test")
     program, rest = arguments[0], arguments[1:]
-    sources = [word for word in rest if not word.startswith("-")]
+    libraries = [] if everything else [word for word in rest if word.endswith(".a")]
+    sources = [word for word in rest if word.endswith(".cpp")]
+    if libraries:
+        sources = [source for source in sources if source == sources[0] or "/registration/src/" in source]
     options = [word for word in rest if word.startswith("-")]
     # Those of a folder as one file: what they include would take most of the time.
     whole = {}
@@ -36,7 +41,8 @@ def test_clang_gives_the_bits_of_gcc(arguments, tmp_path):
     for path, lines in whole.items():
         path.write_text("".join(lines))
     built = tmp_path / "built"
-    subprocess.run([clang, "-std=c++17", "-O1", "-ffp-contract=off", *options, *whole, "-o", built, "-lfmt", "-lpthread"],
+    linked = ["-Wl,--start-group", *libraries, "-Wl,--end-group", "-lassimp", "-lhwy", "-lz"] if libraries else []
+    subprocess.run([clang, "-std=c++17", "-O1", "-ffp-contract=off", *options, *whole, "-o", built, *linked, "-lfmt", "-lpthread"],
                    check=True)
     expected, found = lines_of(program), lines_of(built)
     metrics = [line.split() for line in expected if " " in line]
