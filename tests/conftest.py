@@ -9,6 +9,7 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 
 import pytest
 
@@ -138,7 +139,9 @@ def run(checkout):
     """Nothing of a make that may be running this test, nor of its caller's choices."""
     environment = {name: value for name, value in os.environ.items()
                    if not name.startswith(("MAKE", "MFLAGS", "HWFFD_"))}
-    environment["PATH"] = f"{checkout.root}/bin:{environment['PATH']}"
+    # The interpreter itself: a wrapper that chooses one takes longer than what it starts.
+    interpreter = pathlib.Path(sys.executable).resolve().parent
+    environment["PATH"] = f"{checkout.root}/bin:{interpreter}:{environment['PATH']}"
     return lambda *command, **variables: checkout.run(*command, env={**environment, **variables})
 
 

@@ -71,12 +71,12 @@ def test_bad_files_name_the_cure(compare, old, new):
 
 @pytest.fixture
 def tree(checkout):
-    """With one binary32 row, so that there are few units to map."""
+    """With one binary32 row, whose latencies are 1, so that there are few units to map."""
     checkout.copy("rtl", "synth")
     table = "rtl/configurations.csv"
-    checkout.put({table: "".join(
-        line for line in checkout.text(table).splitlines(True)
-        if ",fp32," not in line or line.startswith("basic-fp32-overlapped,"))})
+    kept = [line for line in checkout.text(table).splitlines(True)
+            if ",fp32," not in line or line.startswith("basic-fp32-overlapped,")]
+    checkout.put({table: re.sub(r"(?m)^(basic-fp32-overlapped,(?:[^,]*,){5})[0-9]+,[0-9]+,", r"\g<1>1,1,", "".join(kept))})
     return checkout
 
 
@@ -108,7 +108,7 @@ def test_a_wider_adder_fails(tree, run, renewed):
     status, lines, errors = run(*check)
     assert (status, errors) == (0, []), lines
     assert ", 0 more than 3 % above" in lines[-1]
-    assert re.findall(r"(\d+) (?:rows|figures)", lines[-1]) == ["4", str(4 * 6)]
+    assert re.findall(r"(\d+) (?:rows|figures)", lines[-1]) == ["2", str(2 * 6)]
 
     adder = "rtl/number/float/ffd_fp_add.v"
     assert tree.text(adder).count("SIG_W   = 24") == 1
@@ -116,7 +116,7 @@ def test_a_wider_adder_fails(tree, run, renewed):
     status, lines, errors = run(*check)
     assert status == 1
     assert all(", ffd_fp_add, ecp5: " in line for line in errors)
-    assert sum(": lut " in line for line in errors) >= 2
+    assert any(": lut " in line for line in errors)
     assert f"{len(errors)} more than 3 % above" in lines[-1]
 
 

@@ -178,9 +178,9 @@ def test_memory_of_a_worker_is_bounded(client, device):
 
 def test_a_killed_worker_loses_nothing(client):
     lattice = bent("model", "sphere")
-    points = uniform((400_000, 3))
+    points = uniform((200_000, 3))
     chunks = [part[0] for part in hwffd.deform(lattice, da.from_array(
-        points, chunks=(10_000, 3))).to_delayed()]
+        points, chunks=(5_000, 3))).to_delayed()]
     workers = client.run(os.getpid)
     futures = client.compute(chunks)
     for finished, _ in enumerate(as_completed(futures), 1):
