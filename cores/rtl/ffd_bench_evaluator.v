@@ -116,6 +116,7 @@ module ffd_bench_evaluator #(
   wire [RESULTS*3-1:0]  result_flags;
   wire [97:0]           result_second;
   wire        determinant;
+  wire        result_two;
   wire        result_last;
   wire        evaluating;
   wire        forming;
@@ -184,6 +185,7 @@ module ffd_bench_evaluator #(
     .m_result_words      (result_words),
     .m_result_flags      (result_flags),
     .m_result_determinant(determinant),
+    .m_result_two        (result_two),
     .m_result_last       (result_last),
     .m_result_user       (m_result_tag),
     .m_result_second     (result_second)
@@ -205,7 +207,7 @@ module ffd_bench_evaluator #(
     end
   endgenerate
 
-  wire unused_ok = &{1'b0, determinant, result_last, result_flags, evaluating, forming, read, read_last, read_cell,
+  wire unused_ok = &{1'b0, determinant, result_two, result_last, result_flags, evaluating, forming, read, read_last, read_cell,
                      numbers, result_second};
 endmodule
 

@@ -5,7 +5,8 @@
 //
 // With SUMS 4 a vertex has one user word, and its four results are queued side by side. RESULTS 1:
 // they leave one after the other, as many as the vertex wants: its position; that and its three
-// derivatives; that and det J; or det J alone. RESULTS 4: all leave at once.
+// derivatives; that and det J; or det J alone. RESULTS 2: four of them leave two at once, in the
+// same order. RESULTS 4: all leave at once.
 //
 // With PAIRS the result of a second vertex goes beside each one, and leaves with it.
 //
@@ -14,9 +15,10 @@
 //             words}.
 // Pipeline:   3 clocks from a word to its result.
 // Freezes:    a result waits for m_result_ready; nothing behind takes notice.
-// Parameters: SUMS 1 or 4; RESULTS 1 or SUMS; USER_W >= 1; DEPTH a power of two >= 4, the most
-//             vertices inside; DETERMINANT 0, or 1 with RESULTS 1; APART 0: determinants come
-//             before the next sum, so SUMS 1 needs one queue only. PAIRS 0, or 1 with SUMS 1.
+// Parameters: SUMS 1 or 4; RESULTS 1 or SUMS, or 2 with SUMS 4; USER_W >= 1; DEPTH a power of two
+//             >= 4, the most vertices inside; DETERMINANT 0, or 1 with RESULTS 1 or 2; APART 0:
+//             determinants come before the next sum, so SUMS 1 needs one queue only. PAIRS 0, or
+//             1 with SUMS 1.
 // Not checked: room, which who lets vertices in must count.
 // Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/system, tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
@@ -53,6 +55,7 @@ module ffd_eval_order #(
   output wire [RESULTS*96-1:0] m_result_words,
   output wire [RESULTS*3-1:0]  m_result_flags,
   output wire                  m_result_determinant,
+  output wire                  m_result_two,   // with RESULTS 2: two are there, else the first
   output wire                  m_result_last,  // of the results of its user word
   output wire [USER_W-1:0]     m_result_user,
   output wire [97:0]           m_result_second
@@ -63,8 +66,9 @@ module ffd_eval_order #(
   localparam TOGETHER = SUMS == 1 && APART == 0;  // both kinds in one queue
 
   generate
-    if (RESULTS != 1 && (RESULTS != SUMS || DETERMINANT != 0)) begin : gen_bad_results
-      ERROR_ffd_eval_order_results_must_be_1_or_without_determinant_those_of_sums u_error ();
+    if (RESULTS != 1 && (SUMS == 1 || RESULTS != 2)
+        && (RESULTS != SUMS || DETERMINANT != 0)) begin : gen_bad_results
+      ERROR_ffd_eval_order_results_must_be_1_or_2_of_sums_4_or_all_without_determinant u_error ();
     end
   endgenerate
 
@@ -179,25 +183,39 @@ module ffd_eval_order #(
   endgenerate
 
   generate
-    if (SUMS != 1 && RESULTS == 1) begin : gen_in_turn
+    if (SUMS != 1 && RESULTS < SUMS) begin : gen_in_turn
+      localparam [1:0] LAST_OF_FOUR = RESULTS == 2 ? 2'd2 : 2'd3;
       reg  [1:0] part_q;
-      wire [1:0] last = user_alone ? 2'd0 : user_determinant ? 2'd1 : user_four ? 2'd3 : 2'd0;
+      wire [1:0] last = user_alone ? 2'd0 : user_determinant ? 2'd1
+                      : user_four ? LAST_OF_FOUR : 2'd0;
+      wire [1:0] next = part_q + (m_result_two ? 2'd2 : 2'd1);
       always @(posedge clk) begin
         if (rst) part_q <= 2'd0;
-        else if (m_result_valid && m_result_ready) part_q <= m_result_last ? 2'd0 : part_q + 2'd1;
+        else if (m_result_valid && m_result_ready) part_q <= m_result_last ? 2'd0 : next;
       end
-      wire [95:0] words = result_words[96*part_q +: 96];
+      // Of two at once part 1 is that of det J only, of whose words one is looked at.
+      wire [1:0]  part  = RESULTS == 2 ? {part_q[1], 1'b0} : part_q;
+      wire [95:0] words = result_words[96*part +: 96];
+      if (RESULTS == 2) begin : gen_two
+        assign m_result_two            = user_four && !user_determinant;
+        assign m_result_words[191:96]  = result_words[96*{part_q[1], 1'b1} +: 96];
+        assign m_result_flags[5:3]     = result_flags[3*{part_q[1], 1'b1} +: 3];
+      end else begin : gen_one
+        assign m_result_two = 1'b0;
+      end
       assign result_ready         = leave;
       assign m_result_determinant = user_determinant && (part_q[0] || user_alone);
       assign m_result_last        = part_q == last;
       assign m_result_valid = user_valid && result_valid
                            && (waiting_valid || !m_result_determinant);
-      assign m_result_words = {words[95:32], m_result_determinant ? waiting : words[31:0]};
-      assign m_result_flags = m_result_determinant ? waiting_flags : result_flags[3*part_q +: 3];
+      assign m_result_words[95:0] = {words[95:32], m_result_determinant ? waiting : words[31:0]};
+      assign m_result_flags[2:0]  = m_result_determinant ? waiting_flags
+                                                         : result_flags[3*part +: 3];
       wire unused_ok = &{1'b0, result_determinant};
     end else if (DETERMINANT != 0 && !TOGETHER) begin : gen_apart
       assign result_ready         = leave && !user_determinant;
       assign m_result_determinant = user_determinant;
+      assign m_result_two         = 1'b0;
       assign m_result_last        = 1'b1;
       assign m_result_valid = user_valid && (user_determinant ? waiting_valid : result_valid);
       assign m_result_words = {result_words[95:32],
@@ -207,6 +225,7 @@ module ffd_eval_order #(
     end else begin : gen_as_they_come
       assign result_ready         = m_result_ready;
       assign m_result_determinant = result_determinant;
+      assign m_result_two         = 1'b0;
       assign m_result_last        = 1'b1;
       assign m_result_valid       = result_valid;
       assign m_result_words       = result_words;

@@ -11,8 +11,8 @@
 // Where the organization gives the Jacobian in one pass, a vertex comes once, whatever it wants:
 // det J with column 3, and with column 2 without the position; three derivatives with places of
 // derivatives on all axes and column 0. Its
-// results leave one after the other with one user word, as ffd_eval_order has them, or with
-// RESULTS 4 all at once.
+// results leave one after the other with one user word, as ffd_eval_order has them, with RESULTS 2
+// two of four at once, or with RESULTS 4 all at once.
 //
 // With PAIRS a second vertex may come with each one (ffd_org_ports.vh), and its result leaves with
 // the other's: both are one vertex for all counts here.
@@ -27,7 +27,7 @@
 //             behind meet in a register.
 // Freezes:    s_vertex_ready is 0 while IN_FLIGHT vertices are inside; nothing inside ever stops.
 // Parameters: IN_FLIGHT a power of two >= 4, more than the organization's pipeline holds at full
-//             rate; RESULTS 1, or with the Jacobian and without DETERMINANT 4; DETERMINANT 0 or 1;
+//             rate; RESULTS 1, or with the Jacobian 2, without DETERMINANT 4; DETERMINANT 0 or 1;
 //             SPANS 1 to 128, above 1 only in the overlapped schedule and not with EVALUATOR 3;
 //             PAIRS 0, or 1 where FFD_ORG_PAIRS; the others are the organization's.
 // Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/system.
@@ -78,6 +78,7 @@ module ffd_eval_stream #(
   output wire [RESULTS*96-1:0]                           m_result_words,
   output wire [RESULTS*3-1:0]                            m_result_flags,
   output wire                                            m_result_determinant,
+  output wire                                            m_result_two,
   output wire                                            m_result_last,
   output wire [USER_W-1:0]                               m_result_user,
   output wire [97:0]                                     m_result_second
@@ -398,6 +399,7 @@ module ffd_eval_stream #(
     .m_result_words      (m_result_words),
     .m_result_flags      (m_result_flags),
     .m_result_determinant(m_result_determinant),
+    .m_result_two        (m_result_two),
     .m_result_last       (m_result_last),
     .m_result_user       (m_result_user),
     .m_result_second     (m_result_second)

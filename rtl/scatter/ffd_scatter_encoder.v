@@ -33,6 +33,7 @@ module ffd_scatter_encoder (
   output wire         m_beat_mark
 );
   wire [31:0]  number;
+  wire         unused_two;  // a point is one unit
   wire [15:0]  tag    = tag_i + number[15:0];
   wire [7:0]   status = {status_i[1], 6'd0, status_i[0] || s_word_saturated};
   ffd_stream_ending u_ending (
@@ -44,10 +45,12 @@ module ffd_scatter_encoder (
     .s_beat_valid(s_word_valid),
     .s_beat_ready(s_word_ready),
     .s_beat_data ({8'd0, status, tag, s_word_data}),
+    .s_beat_two  (1'b0),
     .s_beat_last (s_word_last),
     .m_beat_valid(m_beat_valid),
     .m_beat_ready(m_beat_ready),
     .m_beat_data (m_beat_data),
+    .m_beat_two  (unused_two),
     .m_beat_last (m_beat_last),
     .m_beat_mark (m_beat_mark)
   );

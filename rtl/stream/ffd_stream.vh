@@ -55,6 +55,9 @@
 `define FFD_PAIRS(ORG, FEATURES) \
   (`FFD_ORG_PAIRS(ORG) && `FFD_FEATURE_GRIDS(FEATURES) != 0 \
    && `FFD_FEATURE_HALVES(FEATURES) != 0 ? 1 : 0)
+// Whether two of the four results of a vertex may leave the core at once.
+`define FFD_TWO_RESULTS(ORG, FEATURES) \
+  (`FFD_ORG_JACOBIAN(ORG) != 0 && `FFD_FEATURE_DERIVATIVES(FEATURES) != 0)
 `define FFD_FEATURES_BAD(FEATURES) \
   ((FEATURES) % 4096 < 256 || (FEATURES) >= 8192 \
    || (FEATURES) / 128 % 2 != 0 \

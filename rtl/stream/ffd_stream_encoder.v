@@ -8,13 +8,15 @@
 // The words of a vertex of a packet with the flag H are rounded to 20 bits, which may saturate, and
 // ffd_stream_halves makes beats of two such results. What packets ask for behind their last result,
 // ffd_stream_marks adds. With PAIRS the position of a second vertex with H may come with one, which
-// shares all of its user word that a half beat has: neither is blank.
+// shares all of its user word that a half beat has: neither is blank. With UNITS 2 the next result
+// of the same vertex may come with one: a beat of two units of 16 bytes, the first one low.
 //
 // Formats:    flags {folded, nan, saturated}; user as FFD_USER_*.
 // Pipeline:   1 clock: the last register of the stream; with halves and with marks one more each.
 // Freezes:    s_word_ready is 0 while a beat waits to be taken.
 // Parameters: FORMAT as in ffd_num.vh, fixed point where FEATURES has halves; FEATURES and
-//             INSIDE as in ffd_stream_marks, PAIRS in ffd_stream_halves.
+//             INSIDE as in ffd_stream_marks, PAIRS in ffd_stream_halves; UNITS 1, or 2 without
+//             PAIRS.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -25,7 +27,8 @@ module ffd_stream_encoder #(
   parameter FORMAT   = 18,
   parameter FEATURES = `FFD_FEATURES_USUAL,
   parameter INSIDE   = 152,
-  parameter PAIRS    = 0
+  parameter PAIRS    = 0,
+  parameter UNITS    = 1
 ) (
   input  wire                    clk,
   input  wire                    rst,
@@ -37,17 +40,19 @@ module ffd_stream_encoder #(
   input  wire                    s_word_valid,
   output wire                    s_word_ready,
   output wire                    saturates_o,   // a word of the result that is there
-  input  wire [95:0]             s_word_data,
-  input  wire [2:0]              s_word_flags,
+  input  wire [96*UNITS-1:0]     s_word_data,
+  input  wire [3*UNITS-1:0]      s_word_flags,
   input  wire                    s_word_determinant,
   input  wire                    s_word_final,  // of its vertex, which tlast comes with
   input  wire [`FFD_USER_W-1:0]  s_word_user,
   input  wire                    s_word_pair,    // there is a second vertex
   input  wire [97:0]             s_word_second,  // {nan, saturated, words} of it
-  output wire                    second_saturates_o,
+  input  wire                    s_word_two,     // there is a second result
+  output wire                    second_saturates_o,  // of a second vertex or result
   output wire                    m_beat_valid,
   input  wire                    m_beat_ready,
-  output wire [127:0]            m_beat_data,
+  output wire [128*UNITS-1:0]    m_beat_data,
+  output wire                    m_beat_two,
   output wire                    m_beat_last,
   output wire                    m_beat_mark
 );
@@ -98,8 +103,9 @@ module ffd_stream_encoder #(
   wire       ready;
   wire         half_valid;
   wire         half_ready;
-  wire [127:0] half_data;
+  wire         half_two;
   wire         half_last;
+  wire [128*UNITS-1:0] half_data;
   assign s_word_ready = !valid_q || ready;
   assign idle_o       = !valid_q && !half_valid && !m_beat_valid;
 
@@ -130,6 +136,9 @@ module ffd_stream_encoder #(
 
   wire        pair;
   wire [60:0] second;
+  wire        two;
+  wire [128*UNITS-1:0] beat;
+  assign beat[127:0] = {9'd0, status_q, tag_q, words_q};
   generate
     if (PAIRS != 0) begin : gen_second
       wire [59:0] halves;
@@ -154,22 +163,44 @@ module ffd_stream_encoder #(
       end
       assign pair   = pair_q;
       assign second = second_q;
-      wire unused_second = &{1'b0, s_word_second[97]};
+      assign two    = 1'b0;
+      wire unused_second = &{1'b0, s_word_second[97], s_word_two};
+    end else if (UNITS == 2) begin : gen_two
+      // A result of four: not of a packet with H, and no determinant.
+      reg        two_q;
+      reg [95:0] second_words_q;
+      reg [6:0]  second_status_q;
+      wire [1:0] second_flags = s_word_flags[4:3] & {2{!blank}};
+      always @(posedge clk) begin
+        if (s_word_ready) begin
+          two_q           <= s_word_two;
+          second_words_q  <= blank ? {3{`FFD_BLANK_WORD(FORMAT)}} : s_word_data[191:96];
+          second_status_q <= {1'b0, s_word_user[`FFD_USER_STATUS]}
+                           | {4'd0, second_flags[1], 1'b0, second_flags[0]};
+        end
+      end
+      assign second_saturates_o = s_word_two && second_flags[0];
+      assign {pair, second}     = 62'd0;
+      assign two                = two_q;
+      assign beat[255:128]      = {9'd0, second_status_q, tag_q, second_words_q};
+      wire unused_second = &{1'b0, s_word_pair, s_word_second, s_word_flags[5]};
     end else begin : gen_no_second
-      assign {second_saturates_o, pair, second} = 63'd0;
-      wire unused_second = &{1'b0, s_word_pair, s_word_second};
+      assign {second_saturates_o, pair, second, two} = 64'd0;
+      wire unused_second = &{1'b0, s_word_pair, s_word_second, s_word_two};
     end
   endgenerate
 
   ffd_stream_halves #(
     .FEATURES(FEATURES),
-    .PAIRS   (PAIRS)
+    .PAIRS   (PAIRS),
+    .UNITS   (UNITS)
   ) u_halves (
     .clk         (clk),
     .rst         (rst),
     .s_beat_valid(valid_q),
     .s_beat_ready(ready),
-    .s_beat_data ({9'd0, status_q, tag_q, words_q}),
+    .s_beat_data (beat),
+    .s_beat_two  (two),
     .s_beat_last (last_q),
     .s_beat_half (half_q),
     .s_beat_blank(blank_q),
@@ -180,12 +211,14 @@ module ffd_stream_encoder #(
     .m_beat_valid(half_valid),
     .m_beat_ready(half_ready),
     .m_beat_data (half_data),
+    .m_beat_two  (half_two),
     .m_beat_last (half_last)
   );
 
   ffd_stream_marks #(
     .FEATURES(FEATURES),
-    .INSIDE  (INSIDE)
+    .INSIDE  (INSIDE),
+    .UNITS   (UNITS)
   ) u_marks (
     .clk         (clk),
     .rst         (rst),
@@ -195,10 +228,12 @@ module ffd_stream_encoder #(
     .s_beat_valid(half_valid),
     .s_beat_ready(half_ready),
     .s_beat_data (half_data),
+    .s_beat_two  (half_two),
     .s_beat_last (half_last),
     .m_beat_valid(m_beat_valid),
     .m_beat_ready(m_beat_ready),
     .m_beat_data (m_beat_data),
+    .m_beat_two  (m_beat_two),
     .m_beat_last (m_beat_last),
     .m_beat_mark (m_beat_mark)
   );

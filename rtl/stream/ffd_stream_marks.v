@@ -7,7 +7,7 @@
 // Pipeline:   1 clock, the last register of the stream; II 1, and one more for a count.
 // Freezes:    while m_beat_ready is 0.
 // Parameters: FEATURES as in ffd_stream.vh: without that of marks all of it is wires; INSIDE, the
-//             most vertices that are inside.
+//             most vertices that are inside; UNITS as in ffd_stream_ending.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -16,7 +16,8 @@
 
 module ffd_stream_marks #(
   parameter FEATURES = `FFD_FEATURES_USUAL,
-  parameter INSIDE   = 152
+  parameter INSIDE   = 152,
+  parameter UNITS    = 1
 ) (
   input  wire                    clk,
   input  wire                    rst,
@@ -25,11 +26,13 @@ module ffd_stream_marks #(
   input  wire [`FFD_FRAME_W-1:0] frame_i,
   input  wire                    s_beat_valid,
   output wire                    s_beat_ready,
-  input  wire [127:0]            s_beat_data,
+  input  wire [128*UNITS-1:0]    s_beat_data,
+  input  wire                    s_beat_two,
   input  wire                    s_beat_last,
   output wire                    m_beat_valid,
   input  wire                    m_beat_ready,
-  output wire [127:0]            m_beat_data,
+  output wire [128*UNITS-1:0]    m_beat_data,
+  output wire                    m_beat_two,
   output wire                    m_beat_last,
   output wire                    m_beat_mark
 );
@@ -38,6 +41,7 @@ module ffd_stream_marks #(
       assign s_beat_ready = m_beat_ready;
       assign m_beat_valid = s_beat_valid;
       assign m_beat_data  = s_beat_data;
+      assign m_beat_two   = s_beat_two;
       assign m_beat_last  = s_beat_last;
       assign m_beat_mark  = 1'b0;
       wire unused_ok = &{1'b0, clk, rst, valid_i, data_i, frame_i};
@@ -76,7 +80,9 @@ module ffd_stream_marks #(
       // ---- results
 
       wire [31:0] number;
-      ffd_stream_ending u_ending (
+      ffd_stream_ending #(
+        .UNITS(UNITS)
+      ) u_ending (
         .clk         (clk),
         .rst         (rst),
         .flags_i     (flags),
@@ -85,10 +91,12 @@ module ffd_stream_marks #(
         .s_beat_valid(s_beat_valid),
         .s_beat_ready(s_beat_ready),
         .s_beat_data (s_beat_data),
+        .s_beat_two  (s_beat_two),
         .s_beat_last (s_beat_last),
         .m_beat_valid(m_beat_valid),
         .m_beat_ready(m_beat_ready),
         .m_beat_data (m_beat_data),
+        .m_beat_two  (m_beat_two),
         .m_beat_last (m_beat_last),
         .m_beat_mark (m_beat_mark)
       );

@@ -9,6 +9,9 @@
 // Bad input:  nothing can hang it; see the decoder. event_o has a pulse for each kind, vertex_o one
 //             for each vertex, a clock after its last result has left the evaluator; wait_o says
 //             what waits (docs/interface.md); idle_o: no packet is under way, no vertex inside.
+// Two units:  with RESULT_WIDTH 256, and where FFD_TWO_RESULTS, two of the four results of a vertex
+//             are a beat, the first one low, and bit 1 of second_o is event 9 of the second one. A
+//             beat of one result is its lower half, and bit 255 is 1.
 // Pairs:      where FFD_PAIRS, two neighbours of a row of a grid with the flag H go through at
 //             once; second_o has pulses for the second one with those for the first: its vertex,
 //             and in bit 1 event 9 of it. Else it is 0.
@@ -22,8 +25,8 @@
 //             SPANS 1 to 128, runs of cells of an axis with functions of their own; GRID_LIMIT 0 to
 //             48, log2 of the most vertices of a grid; HARDENED 0, or 1: points have a parity, and
 //             upset_o is a pulse for one that is wrong; BESIDE 1: a scatter core is on the same
-//             stream (hwffd_adjoint), whose packets pass without an event; RESET_REGISTER 0 or
-//             1, as REGISTERED of ffd_reset_register.
+//             stream (hwffd_adjoint), whose packets pass without an event; RESULT_WIDTH 128 or
+//             256; RESET_REGISTER 0 or 1, as REGISTERED of ffd_reset_register.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -59,6 +62,7 @@ module hwffd_stream #(
   parameter GRID_LIMIT      = 48,
   parameter HARDENED        = 0,
   parameter BESIDE          = 0,
+  parameter RESULT_WIDTH    = 128,
   parameter RESET_REGISTER  = 0
 ) (
   input  wire         aclk,
@@ -69,7 +73,7 @@ module hwffd_stream #(
   input  wire         s_axis_tlast,
   output wire         m_axis_tvalid,
   input  wire         m_axis_tready,
-  output wire [127:0] m_axis_tdata,
+  output wire [RESULT_WIDTH-1:0] m_axis_tdata,
   output wire         m_axis_tlast,
   output wire         m_axis_tuser,  // with the last beat of a packet with the flag I
   input  wire         grid_stop_i,   // ends a grid that is under way
@@ -102,6 +106,7 @@ module hwffd_stream #(
   localparam EVALUATIONS  = `FFD_IN_FLIGHT(IN_FLIGHT, ORG, N);
   localparam INSIDE       = `FFD_MOST_INSIDE(EVALUATIONS, WAITING);
   localparam PAIRS        = `FFD_PAIRS(ORG, FEATURES);
+  localparam UNITS        = RESULT_WIDTH == 256 && `FFD_TWO_RESULTS(ORG, FEATURES) ? 2 : 1;
   localparam PART_W       = USER_W + 1 + `FFD_FEATURE_FOURTH(FEATURES) + PAIRS;
   localparam PAGE_W       = `FFD_PAGE_NUMBER_W(PAGES);
   localparam PLACE_W      = 3 * `FFD_AXIS_W(AXIS);
@@ -115,6 +120,9 @@ module hwffd_stream #(
     if ((RESIDENT | INTERLEAVED | PAGED | FOURTH | GRIDS | PACKED | MARKS | DERIVATIVES
          | DETERMINANT | HALVES) >> 1 != 0) begin : gen_bad_features
       ERROR_hwffd_stream_features_must_be_0_or_1 u_error ();
+    end
+    if (RESULT_WIDTH != 128 && RESULT_WIDTH != 256) begin : gen_bad_result_width
+      ERROR_hwffd_stream_result_width_must_be_128_or_256 u_error ();
     end
   endgenerate
 
@@ -160,7 +168,7 @@ module hwffd_stream #(
   );
 
   ffd_channel_check #(
-    .WIDTH(130)
+    .WIDTH(RESULT_WIDTH + 2)
   ) u_check_out (
     .clk      (clk),
     .rst      (rst),
@@ -253,8 +261,9 @@ module hwffd_stream #(
   wire [PORTS*N*3*POINT_W-1:0]      points;
   wire                              result_valid;
   wire                              result_ready;
-  wire [95:0]                       result_words;
-  wire [2:0]                        result_flags;
+  wire [96*UNITS-1:0]               result_words;
+  wire [3*UNITS-1:0]                result_flags;
+  wire                              result_two;
   wire                              result_determinant;
   wire                              result_last;
   wire                              result_fourth;
@@ -449,6 +458,7 @@ module hwffd_stream #(
     .SOURCE_W       (READ_W),
     .USER_W         (PART_W),
     .IN_FLIGHT      (EVALUATIONS),
+    .RESULTS        (UNITS),
     .DETERMINANT    (`FFD_FEATURE_DETERMINANT(FEATURES)),
     .SPANS          (SPANS),
     .PAIRS          (PAIRS)
@@ -483,17 +493,34 @@ module hwffd_stream #(
     .m_result_words      (result_words),
     .m_result_flags      (result_flags),
     .m_result_determinant(result_determinant),
+    .m_result_two        (result_two),
     .m_result_last       (result_last),
     .m_result_user       (result_words_user),
     .m_result_second     (result_second)
   );
+
+  wire [128*UNITS-1:0] beat;
+  wire                 beat_two;
+  assign m_axis_tdata[127:0] = beat[127:0];
+  generate
+    if (UNITS == 2) begin : gen_two
+      assign m_axis_tdata[255:128] = {!beat_two, beat[254:128]};
+      wire unused_beat = &{1'b0, beat[255]};  // 0: no bit of a status
+    end else begin : gen_one
+      if (RESULT_WIDTH == 256) begin : gen_none
+        assign m_axis_tdata[255:128] = {128{1'b1}};
+      end
+      wire unused_beat = &{1'b0, beat_two};
+    end
+  endgenerate
 
   // The last register: a beat leaves it when it is taken, or when there was none.
   ffd_stream_encoder #(
     .FORMAT  (FORMAT),
     .FEATURES(FEATURES),
     .INSIDE  (INSIDE),
-    .PAIRS   (PAIRS)
+    .PAIRS   (PAIRS),
+    .UNITS   (UNITS)
   ) u_encoder (
     .clk               (clk),
     .rst               (rst),
@@ -511,10 +538,12 @@ module hwffd_stream #(
     .s_word_user       (result_user),
     .s_word_pair       (result_pair),
     .s_word_second     (result_second),
+    .s_word_two        (result_two),
     .second_saturates_o(second_saturates),
     .m_beat_valid      (m_axis_tvalid),
     .m_beat_ready      (m_axis_tready),
-    .m_beat_data       (m_axis_tdata),
+    .m_beat_data       (beat),
+    .m_beat_two        (beat_two),
     .m_beat_last       (m_axis_tlast),
     .m_beat_mark       (m_axis_tuser)
   );

@@ -7,7 +7,8 @@
 //
 // Formats:    beats of DATA_WIDTH bits, little-endian 32-bit words; words by FORMAT.
 // Pipeline:   as hwffd_stream, a clock more on each side; with 256 bits a result waits for the next
-//             one of its packet, or is the packet's last.
+//             one of its packet, or is the packet's last. Where ORG gives derivatives in one pass,
+//             two results of a vertex with four pass in a clock, else a unit passes in each.
 // Freezes:    as hwffd_stream.
 // Not checked: of s_axis_tkeep nothing but bit 16 of a packet's last beat, with 256 bits, is looked
 //             at: 0 there leaves out the upper half.
@@ -78,13 +79,16 @@ module hwffd_stream_bus #(
     end
   endgenerate
 
+  localparam FEATURES = `FFD_FEATURES_NAMED;
+  localparam UNITS    = DATA_WIDTH == 256 && `FFD_TWO_RESULTS(ORG, FEATURES) ? 2 : 1;
+
   wire         in_valid;
   wire         in_ready;
   wire [127:0] in_data;
   wire         in_last;
   wire         out_valid;
   wire         out_ready;
-  wire [127:0] out_data;
+  wire [128*UNITS-1:0] out_data;
   wire         out_last;
   wire         in_idle;
   wire         out_idle;
@@ -125,6 +129,7 @@ module hwffd_stream_bus #(
   );
 
   hwffd_stream #(
+    .RESULT_WIDTH     (128 * UNITS),
     `include "ffd_stream_arguments.vh"
   ) u_core (
     .aclk          (aclk),
@@ -189,7 +194,8 @@ module hwffd_stream_bus #(
       );
 
       ffd_stream_units_out #(
-        .WIDTH(DATA_WIDTH)
+        .WIDTH(DATA_WIDTH),
+        .UNITS(UNITS)
       ) u_out (
         .clk         (aclk),
         .rst         (rst),
@@ -197,6 +203,7 @@ module hwffd_stream_bus #(
         .s_unit_valid(out_valid),
         .s_unit_ready(out_ready),
         .s_unit_data (out_data),
+        .s_unit_two  (UNITS == 2 && !out_data[128*UNITS-1]),
         .s_unit_last (out_last),
         .s_unit_user (out_user),
         .m_beat_valid(m_axis_tvalid),

@@ -32,7 +32,7 @@ def drawn(seed, top="hwffd_stream", prefix="drawn"):
     known = sorted({kind[1].number for kind in kinds} & {of.number for of in formats.read().by_name.values()})
     draw = parameter_draws.Draw(space, top, random.Random(seed), UNITS, known)
     while True:
-        parameters = draw.legal()
+        parameters = draw.legal(**({"RESULT_WIDTH": 128} if top == "hwffd_stream" else {}))
         organization = space.organizations[parameters["ORG"]]
         evaluator = configurations.evaluator_of(parameters["EVALUATOR"])
         kind = texts.model_kind(organization, space.formats[parameters["FORMAT"]], parameters["FMA_LATENCY"], evaluator)

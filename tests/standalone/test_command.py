@@ -51,6 +51,7 @@ def made(tmp_path, capsys, monkeypatch):
     (("--org", "walk", "--top", "hwffd_axi", "--data-width", "32"), 1, "ERROR_ffd_dma_width_read_data_width_must_be"),
     (("--org", "walk", "--format", "fx18"), 1, "no bit-true model of walk in fx18 with these units: it has fx17, fx32"),
     (("--org", "cg1", "--top", "hwffd_axi", "--set", "BUS_TIMEOUT=3"), 1, "BUS_TIMEOUT is 3: the memory of the testbench pauses"),
+    (("--org", "cg1", "--set", "RESULT_WIDTH=256"), 1, "RESULT_WIDTH is 256: that is hwffd_stream inside hwffd_stream_bus"),
     (("--org", "walker"), 1, "--org walker: unknown organization: one of basic, cg1"),
     (("--org", "cg2"), 1, "cg2 went with 0.3.0: take cg1"),
     (("--org", "cg1", "--format", "fx40"), 1, "unknown format 'fx40': fp32, bfp32, or fx12 to fx32"),

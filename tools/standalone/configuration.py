@@ -241,6 +241,9 @@ def of_parameters(space, top, prefix, parameters, command=""):
     if 0 < parameters.get("BUS_TIMEOUT", 0) < LEAST_TIMEOUT:
         raise Refused(f"BUS_TIMEOUT is {parameters['BUS_TIMEOUT']}: the memory of the testbench pauses for longer; "
                       f"0, or {LEAST_TIMEOUT} or more wanted")
+    if parameters.get("RESULT_WIDTH", 128) != 128:
+        raise Refused(f"RESULT_WIDTH is {parameters['RESULT_WIDTH']}: that is hwffd_stream inside hwffd_stream_bus; "
+                      "--top hwffd_stream_bus --data-width 256 wanted")
     organization, number_format = space.organizations[parameters["ORG"]], space.formats[parameters["FORMAT"]]
     _modelled(organization, number_format, parameters["FMA_LATENCY"],
               configurations.evaluator_of(parameters["EVALUATOR"]))

@@ -70,10 +70,13 @@ class Space:
         self.organizations = {organization.number: organization for organization in organizations.read().values()}
         self.formats = {member.number: member for member in formats.read().by_name.values()}
         stream = self._stream()
-        beside = _table([Parameter("BESIDE", values.of(0, 1), "ffd_stream_framer_beside_must_be_0_or_1")])
+        inside = _table([
+            Parameter("BESIDE", values.of(0, 1), "ffd_stream_framer_beside_must_be_0_or_1"),
+            Parameter("RESULT_WIDTH", values.of(128, 256), "hwffd_stream_result_width_must_be_128_or_256"),
+        ])
         bus = self._bus()
         self.parameters = {
-            "hwffd_stream": {**stream, **beside},
+            "hwffd_stream": {**stream, **inside},
             "hwffd_stream_bus": {**stream, **_table([Parameter(
                 "DATA_WIDTH", values.of(64, 128, 256), "hwffd_stream_bus_data_width_.*")])},
             "hwffd_scatter": self._scatter(),
