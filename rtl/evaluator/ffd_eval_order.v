@@ -193,15 +193,20 @@ module ffd_eval_order #(
         if (rst) part_q <= 2'd0;
         else if (m_result_valid && m_result_ready) part_q <= m_result_last ? 2'd0 : next;
       end
-      // Of two at once part 1 is that of det J only, of whose words one is looked at.
-      wire [1:0]  part  = RESULTS == 2 ? {part_q[1], 1'b0} : part_q;
-      wire [95:0] words = result_words[96*part +: 96];
+      wire [191:0] two_words = part_q[1] ? result_words[383:192] : result_words[191:0];
+      wire [5:0]   two_flags = part_q[1] ? result_flags[11:6] : result_flags[5:0];
+      wire [95:0]  words;
+      wire [2:0]   one_flags;
       if (RESULTS == 2) begin : gen_two
-        assign m_result_two            = user_four && !user_determinant;
-        assign m_result_words[191:96]  = result_words[96*{part_q[1], 1'b1} +: 96];
-        assign m_result_flags[5:3]     = result_flags[3*{part_q[1], 1'b1} +: 3];
+        // Part 1 is that of det J only.
+        assign m_result_two           = user_four && !user_determinant;
+        assign m_result_words[191:96] = two_words[191:96];
+        assign m_result_flags[5:3]    = two_flags[5:3];
+        assign {one_flags, words}     = {two_flags[2:0], two_words[95:0]};
       end else begin : gen_one
-        assign m_result_two = 1'b0;
+        assign m_result_two       = 1'b0;
+        assign {one_flags, words} = part_q[0] ? {two_flags[5:3], two_words[191:96]}
+                                              : {two_flags[2:0], two_words[95:0]};
       end
       assign result_ready         = leave;
       assign m_result_determinant = user_determinant && (part_q[0] || user_alone);
@@ -209,8 +214,7 @@ module ffd_eval_order #(
       assign m_result_valid = user_valid && result_valid
                            && (waiting_valid || !m_result_determinant);
       assign m_result_words[95:0] = {words[95:32], m_result_determinant ? waiting : words[31:0]};
-      assign m_result_flags[2:0]  = m_result_determinant ? waiting_flags
-                                                         : result_flags[3*part +: 3];
+      assign m_result_flags[2:0]  = m_result_determinant ? waiting_flags : one_flags;
       wire unused_ok = &{1'b0, result_determinant};
     end else if (DETERMINANT != 0 && !TOGETHER) begin : gen_apart
       assign result_ready         = leave && !user_determinant;

@@ -174,10 +174,13 @@ module ffd_stream_encoder #(
       always @(posedge clk) begin
         if (s_word_ready) begin
           two_q           <= s_word_two;
-          second_words_q  <= blank ? {3{`FFD_BLANK_WORD(FORMAT)}} : s_word_data[191:96];
           second_status_q <= {1'b0, s_word_user[`FFD_USER_STATUS]}
                            | {4'd0, second_flags[1], 1'b0, second_flags[0]};
         end
+      end
+      always @(posedge clk) begin
+        if (s_word_ready && blank) second_words_q <= {3{`FFD_BLANK_WORD(FORMAT)}};
+        else if (s_word_ready) second_words_q <= s_word_data[191:96];
       end
       assign second_saturates_o = s_word_two && second_flags[0];
       assign {pair, second}     = 62'd0;
