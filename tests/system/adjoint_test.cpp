@@ -72,7 +72,7 @@ TEST_P(Adjoint, AnyPacketsInAnyOrder) {
   std::array<std::uint64_t, kStreamEvents> events{};
   std::size_t results = 0;
   const std::uint64_t first = tb::seed_from_environment(1);
-  for (std::uint64_t seed = first; seed < first + share_of(20); ++seed) {
+  for (std::uint64_t seed = first; seed < first + share_of(40); ++seed) {
     const auto throttle = [&](std::uint64_t of) {
       const auto& names = tb::throttle_names();
       return names[(seed / of) % names.size()];
