@@ -1,7 +1,7 @@
 #include "hwffd/cores/scatter_core_factory.hpp"
 
-#include "Vhwffd_scatter_core.h"
-#include "Vhwffd_scatter_rows_core.h"
+#include "Vtranspose_fx17.h"
+#include "Vtranspose_fx17_rows.h"
 #include "hwffd/cores/verilated_stream_core.hpp"
 
 namespace hwffd::cores {
@@ -9,8 +9,8 @@ namespace hwffd::cores {
 bool has_scatter_core() { return true; }
 
 std::unique_ptr<StreamCore> make_scatter_core(bool rows, std::uint64_t seed) {
-  if (rows) return std::make_unique<VerilatedStreamCore<Vhwffd_scatter_rows_core>>(seed);
-  return std::make_unique<VerilatedStreamCore<Vhwffd_scatter_core>>(seed);
+  if (rows) return std::make_unique<VerilatedStreamCore<Vtranspose_fx17_rows>>(seed);
+  return std::make_unique<VerilatedStreamCore<Vtranspose_fx17>>(seed);
 }
 
 }  // namespace hwffd::cores
