@@ -1,10 +1,10 @@
-# hwffd_pytest(<set> <suite> <name>... [LABEL <label>] [FOLDER <folder>] [ARGUMENTS <word>...])
+# hwffd_pytest(<set> <suite> <name>... [LABEL <label>] [FOLDER <folder>] [ARGUMENTS <word>...] [PROPERTIES <property> <value>...])
 #
 # Each test_<name>.py of this folder, or of one below it, is the test <suite>.<name>, by the pytest of build/venv;
 # <set> is that of tests/in_venv.py. Its label is `test`, unless another is given. The fixture `arguments` has the words. Where
-# some are marked as `whole`, which are left out, <suite>.<name>_whole of test-all has them all.
+# some are marked as `whole`, which are left out, <suite>.<name>_whole of test-all has them all, with the same properties.
 function(hwffd_pytest set suite)
-  cmake_parse_arguments(PARSE_ARGV 2 pytest "" "LABEL;FOLDER" ARGUMENTS)
+  cmake_parse_arguments(PARSE_ARGV 2 pytest "" "LABEL;FOLDER" "ARGUMENTS;PROPERTIES")
   if(NOT pytest_LABEL)
     set(pytest_LABEL test)
   endif()
@@ -17,13 +17,14 @@ function(hwffd_pytest set suite)
     add_test(NAME ${suite}.${name}
       COMMAND ${Python3_EXECUTABLE} -B ${hwffd_SOURCE_DIR}/tests/in_venv.py ${set}
               -m pytest ${pytest_folder}/test_${name}.py ${pytest_ARGUMENTS})
-    set_tests_properties(${suite}.${name} PROPERTIES LABELS ${pytest_LABEL} TIMEOUT 600)
+    set_tests_properties(${suite}.${name} PROPERTIES LABELS ${pytest_LABEL} TIMEOUT 600 ${pytest_PROPERTIES})
     file(STRINGS ${pytest_folder}/test_${name}.py marked REGEX "mark[.]whole")
     if(marked)
       add_test(NAME ${suite}.${name}_whole
         COMMAND ${Python3_EXECUTABLE} -B ${hwffd_SOURCE_DIR}/tests/in_venv.py ${set}
                 -m pytest ${pytest_folder}/test_${name}.py ${pytest_ARGUMENTS})
-      set_tests_properties(${suite}.${name}_whole PROPERTIES LABELS all TIMEOUT 7200 ENVIRONMENT HWFFD_WHOLE=1)
+      set_tests_properties(${suite}.${name}_whole PROPERTIES LABELS all TIMEOUT 7200 ${pytest_PROPERTIES})
+      set_property(TEST ${suite}.${name}_whole APPEND PROPERTY ENVIRONMENT HWFFD_WHOLE=1)
     endif()
   endforeach()
 endfunction()

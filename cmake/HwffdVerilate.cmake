@@ -173,6 +173,9 @@ function(hwffd_precompiled_runtime result)
   set(${result} ${precompiled} PARENT_SCOPE)
 endfunction()
 
+# hwffd_model_options(<target> <option>...)
+#
+# How what was verilated is compiled, and what it includes: alike, or the one would not serve the other.
 function(hwffd_model_options target)
   target_compile_options(${target} PRIVATE -w -g0 ${uncounted} ${ARGN})
   target_compile_definitions(${target} PRIVATE
