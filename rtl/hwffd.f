@@ -57,10 +57,8 @@ evaluator/ffd_eval_columns.v
 evaluator/ffd_eval_contraction.v
 evaluator/ffd_eval_determinant.v
 evaluator/ffd_eval_factored.v
-evaluator/ffd_eval_former.v
 evaluator/ffd_eval_generator.v
 evaluator/ffd_eval_halves.v
-evaluator/ffd_eval_horner.v
 evaluator/ffd_eval_order.v
 evaluator/ffd_eval_poly.v
 evaluator/ffd_eval_poly_iterative.v
@@ -75,14 +73,12 @@ evaluator/ffd_eval_stream.v
 evaluator/ffd_eval_summation.v
 evaluator/ffd_eval_travel.v
 evaluator/ffd_eval_tree.v
-evaluator/ffd_eval_trivariate.v
 evaluator/ffd_eval_walk.v
 evaluator/ffd_eval_weight_product.v
 evaluator/ffd_eval_words.v
 evaluator/ffd_org_affine.v
 evaluator/ffd_org_cg.v
 evaluator/ffd_org_factored.v
-evaluator/ffd_org_nested.v
 evaluator/ffd_org_select.v
 evaluator/ffd_org_tree.v
 number/block/ffd_bfp_align.v
@@ -90,8 +86,6 @@ number/block/ffd_bfp_normalise.v
 number/ffd_num_add.v
 number/ffd_num_base_term.v
 number/ffd_num_begin.v
-number/ffd_num_binomial.v
-number/ffd_num_centre.v
 number/ffd_num_coordinate.v
 number/ffd_num_cumulate.v
 number/ffd_num_cut.v
@@ -109,7 +103,6 @@ number/ffd_num_out.v
 number/ffd_num_powers.v
 number/ffd_num_product.v
 number/ffd_num_range.v
-number/ffd_num_rescale.v
 number/ffd_num_scale.v
 number/ffd_num_share.v
 number/ffd_num_step.v

@@ -119,7 +119,6 @@ module ffd_bench_evaluator #(
   wire        result_two;
   wire        result_last;
   wire        evaluating;
-  wire        forming;
   wire [PORTS-1:0]    read;
   wire [PORTS-1:0]    read_last;
   wire [PORTS*8-1:0]  read_source;
@@ -179,7 +178,6 @@ module ffd_bench_evaluator #(
     .read_index_o        (read_index),
     .read_points_i       (points_q),
     .evaluating_o        (evaluating),
-    .forming_o           (forming),
     .m_result_valid      (m_result_valid),
     .m_result_ready      (m_result_ready),
     .m_result_words      (result_words),
@@ -207,7 +205,7 @@ module ffd_bench_evaluator #(
     end
   endgenerate
 
-  wire unused_ok = &{1'b0, determinant, result_two, result_last, result_flags, evaluating, forming, read, read_last, read_cell,
+  wire unused_ok = &{1'b0, determinant, result_two, result_last, result_flags, evaluating, read, read_last, read_cell,
                      numbers, result_second};
 endmodule
 

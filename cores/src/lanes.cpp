@@ -209,23 +209,6 @@ void add_sequence(std::vector<Lane>& lanes, const Configuration& c, const Schedu
   }
 }
 
-/// `nested`, within a cell: centred coordinates, then a cubic an axis, of which those that are
-/// added later start later than shown.
-void add_nested(std::vector<Lane>& lanes, const Configuration& c, const Schedule& schedule) {
-  const int components = 3 / folds(c);
-  const int step = c.fma_latency > 0 ? c.fma_latency : c.mul_latency + c.add_latency;
-  Pipeline vertices(schedule, schedule.steps);
-  vertices.pass(lanes, "3 adders, centring", c.add_latency);
-  int cubics = 16 * components;
-  for (const char* axis : {"upsilon", "tau", "sigma"}) {
-    for (int n = 1; n <= 3; ++n) {
-      vertices.pass(lanes, fmt::format("{} steps of {}, {} of 3", cubics, axis, n), step);
-    }
-    cubics /= 4;
-  }
-  vertices.expect(schedule.sums, c.name);
-}
-
 }  // namespace
 
 std::vector<Lane> lanes_of(const Configuration& row, const Units& units, const Schedule& schedule) {
@@ -238,10 +221,6 @@ std::vector<Lane> lanes_of(const Configuration& row, const Units& units, const S
     } else {
       add_contraction(lanes, row, units, schedule);
     }
-    return lanes;
-  }
-  if (keeps_cell(row)) {
-    add_nested(lanes, row, schedule);
     return lanes;
   }
   Pipeline polynomials(schedule, schedule.polynomials);

@@ -56,7 +56,7 @@ void compare_seams(const tb::SeamStimulus& seams,
   const auto words = [&](std::size_t v, std::size_t r) {
     return r == 0 ? results[offset + v].words : results[offset + v].along[r - 1].words;
   };
-  const auto differences = seams.differences(WordCodec(row.format), each, words);
+  const auto differences = seams.differences(each, words);
   measured.seam_values = differences.values;
   measured.seam_differences += differences.count;
   measured.seam_largest = std::max(measured.seam_largest, differences.largest / seam_unit(row));

@@ -134,7 +134,7 @@ class Study {
         interleaved_packet(tb::interleaved(stimulus), OutsideMode::kClamp, Results::kDerivatives));
     if (results.size() != 4 * stimulus.vertices.size()) return;
     const auto differences = stimulus.differences(
-        codec_, 3, [&](std::size_t v, std::size_t r) { return results[4 * v + 1 + r].words; });
+        3, [&](std::size_t v, std::size_t r) { return results[4 * v + 1 + r].words; });
     result_.seam_values += differences.values;
     result_.seam_differences += differences.count;
   }

@@ -211,7 +211,7 @@ module ffd_bus_core #(
   wire         error_address_valid;
   wire [63:0]  error_address;
   wire         clear_counters;
-  wire [191:0] waits;
+  wire [159:0] waits;
   wire         locked;
   wire [4:0]   irq_enable;
   wire         result_marked;
@@ -298,9 +298,9 @@ module ffd_bus_core #(
     .wait_input_i            (waits[0 +: 32]),
     .wait_memory_i           (waits[32 +: 32]),
     .wait_evaluator_i        (waits[64 +: 32]),
-    .wait_forming_i          (waits[96 +: 32]),
-    .wait_read_i             (waits[128 +: 32]),
-    .wait_write_i            (waits[160 +: 32]),
+    .wait_forming_i          (32'd0),
+    .wait_read_i             (waits[96 +: 32]),
+    .wait_write_i            (waits[128 +: 32]),
     .error_any_i             (error_any),
     .error_event_i           (error_event),
     .error_packet_i          (error_packet),
@@ -543,7 +543,7 @@ module ffd_bus_core #(
     .rst           (rst),
     .open_rst_i    (core_rst),
     .clear_i       (clear_counters),
-    .core_i        ({core_wait[2], core_wait[1], core_wait[0], starved}),
+    .core_i        ({core_wait[1:0], starved}),
     .read_begins_i (m_axi_arvalid && m_axi_arready),
     .read_beat_i   (read_beat),
     .read_ends_i   (read_beat && m_axi_rlast),
@@ -553,7 +553,7 @@ module ffd_bus_core #(
   );
 
   wire unused_ok = &{1'b0, irq_enable, result_running, result_busy, read_address, write_address,
-                     second};
+                     second, core_wait[2]};
 endmodule
 
 `default_nettype wire

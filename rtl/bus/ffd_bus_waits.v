@@ -1,10 +1,10 @@
 // ffd_bus_waits: why a core is slow, in clocks
 //
-// Six counts, from the lowest: no beat was offered, a bank or a buffer was still read, the
-// evaluator had no room, coefficients of a cell were formed (all four as core_i says them); a read
-// burst was open and no data came; a whole burst of results was out and no response came. Bursts
-// are counted on the pins of the bus: after a slave that answers what nobody asked for, open_rst_i
-// (a soft reset) makes the counts right again. Counts wrap.
+// Five counts, from the lowest: no beat was offered, a bank or a buffer was still read, the
+// evaluator had no room (all three as core_i says them); a read burst was open and no data came; a
+// whole burst of results was out and no response came. Bursts are counted on the pins of the bus:
+// after a slave that answers what nobody asked for, open_rst_i (a soft reset) makes the counts
+// right again. Counts wrap.
 //
 // Pipeline:   2 clocks from what is counted to the count, from the bus's pins 3.
 // Freezes:    never.
@@ -22,13 +22,13 @@ module ffd_bus_waits #(
   input  wire         rst,
   input  wire         open_rst_i,
   input  wire         clear_i,
-  input  wire [3:0]   core_i,
+  input  wire [2:0]   core_i,
   input  wire         read_begins_i,   // an address is taken
   input  wire         read_beat_i,     // data is there
   input  wire         read_ends_i,     // the last of a burst
   input  wire         write_begins_i,  // the last data of a burst is taken
   input  wire         write_ends_i,    // a response is there
-  output wire [191:0] counts_o
+  output wire [159:0] counts_o
 );
   generate
     if (COUNT_WIDTH != 0 && (COUNT_WIDTH < 8 || COUNT_WIDTH > 32)) begin : gen_bad_width
@@ -47,8 +47,8 @@ module ffd_bus_waits #(
       reg  [4:0]        pins_q;
       reg  [OPEN_W-1:0] reads_q;
       reg  [OPEN_W-1:0] writes_q;
-      reg  [5:0]        event_q;
-      wire [5:0]        event_d;
+      reg  [4:0]        event_q;
+      wire [4:0]        event_d;
 
       assign event_d = {writes_q != {OPEN_W{1'b0}} && !pins_q[0],
                         reads_q != {OPEN_W{1'b0}} && !pins_q[3], core_i};
@@ -66,9 +66,9 @@ module ffd_bus_waits #(
                                - {{(OPEN_W - 1) {1'b0}}, pins_q[0]};
         end
       end
-      always @(posedge clk) event_q <= rst ? 6'd0 : event_d;
+      always @(posedge clk) event_q <= rst ? 5'd0 : event_d;
 
-      for (i = 0; i < 6; i = i + 1) begin : gen_count
+      for (i = 0; i < 5; i = i + 1) begin : gen_count
         reg [COUNT_WIDTH-1:0] count_q;
         always @(posedge clk) begin
           if (rst || clear_i) count_q <= {COUNT_WIDTH{1'b0}};
@@ -80,7 +80,7 @@ module ffd_bus_waits #(
         end
       end
     end else begin : gen_none
-      assign counts_o = 192'd0;
+      assign counts_o = 160'd0;
       wire unused_ok = &{1'b0, clk, rst, open_rst_i, clear_i, core_i, read_begins_i, read_beat_i,
                          read_ends_i, write_begins_i, write_ends_i};
     end

@@ -166,7 +166,6 @@ module ffd_eval_axis_weights #(
     end
 
     if (AFFINE != 0) begin : gen_rest
-      // binom(0, 0) is 1 and binom(0, 1) is 0.
       wire derivative;
       ffd_num_delay #(
         .WIDTH  (1),
@@ -177,13 +176,9 @@ module ffd_eval_axis_weights #(
         .d_i(bank_i[1]),
         .q_o(derivative)
       );
-      ffd_num_binomial #(
-        .FORMAT(FORMAT),
-        .POWER (0)
-      ) u_rest (
-        .power_i ({1'b0, derivative}),
-        .weight_o(weights_o[3*WEIGHT_W +: WEIGHT_W])
-      );
+      localparam [WEIGHT_W-1:0] ONE = 1;
+      assign weights_o[3*WEIGHT_W +: WEIGHT_W] =
+          derivative ? {WEIGHT_W{1'b0}} : ONE << (`FFD_FIXED_W(FORMAT) - 2);
     end
   endgenerate
 endmodule

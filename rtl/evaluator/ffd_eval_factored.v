@@ -221,7 +221,6 @@ module ffd_eval_factored #(
   wire unused_ok = &{1'b0, s_vertex_changed, s_vertex_second, step_first, later};
 
   assign result_second_o = {3 * SUM_W {1'b0}};
-  assign forming_o = 1'b0;
 endmodule
 
 `default_nettype wire

@@ -307,7 +307,6 @@ module ffd_eval_serial #(
   assign result_sum_o      = sums;
   assign result_jacobian_o = {9 * `FFD_SUM_W(FORMAT) {1'b0}};
   assign result_second_o   = {3 * `FFD_SUM_W(FORMAT) {1'b0}};
-  assign forming_o         = 1'b0;
   wire unused_ok = &{1'b0, s_vertex_changed, s_vertex_second, step_first, step_last};
 endmodule
 

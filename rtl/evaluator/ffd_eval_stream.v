@@ -72,7 +72,6 @@ module ffd_eval_stream #(
   output wire [`FFD_ORG_PORTS(ORG)*6-1:0]                read_index_o,
   input  wire [`FFD_ORG_PORTS(ORG)*N*3*`FFD_POINT_W(FORMAT)-1:0] read_points_i,
   output wire                                            evaluating_o,  // any vertex
-  output wire                                            forming_o,
   output wire                                            m_result_valid,
   input  wire                                            m_result_ready,
   output wire [RESULTS*96-1:0]                           m_result_words,
@@ -192,7 +191,6 @@ module ffd_eval_stream #(
     .read_cell_o         (read_cell_o),
     .read_index_o        (read_index_o),
     .read_points_i       (read_points_i),
-    .forming_o           (forming_o),
     .result_valid_o      (sum_valid),
     .result_sum_o        (sum),
     .result_jacobian_o   (jacobian),

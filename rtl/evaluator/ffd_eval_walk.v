@@ -565,7 +565,6 @@ module ffd_eval_walk #(
   endgenerate
   assign result_sum_o      = sums[3*SUM_W-1:0];
   assign result_jacobian_o = {9 * SUM_W {1'b0}};
-  assign forming_o         = 1'b0;
   wire unused_ok = &{1'b0, requests_ready, queue_ready, step_first, sum_valid,
                      weights[0 +: 4*WEIGHT_W]};
 

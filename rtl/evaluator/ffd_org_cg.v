@@ -379,7 +379,6 @@ module ffd_org_cg #(
 
   wire unused_ok = &{1'b0, s_vertex_changed, s_vertex_second, fill_first, filled_room};
 
-  assign forming_o         = 1'b0;
   assign result_jacobian_o = {9 * `FFD_SUM_W(FORMAT) {1'b0}};
   assign result_second_o   = {3 * `FFD_SUM_W(FORMAT) {1'b0}};
 

@@ -21,7 +21,6 @@
 .read_cell_o         (read_cell_o),
 .read_index_o        (read_index_o),
 .read_points_i       (read_points_i),
-.forming_o           (forming_o),
 .result_valid_o      (result_valid_o),
 .result_sum_o        (result_sum_o),
 .result_jacobian_o   (result_jacobian_o),

@@ -80,7 +80,6 @@ module ffd_org_factored #(
   genvar lane;
   generate
     for (lane = 0; lane < LANES; lane = lane + 1) begin : gen_lane
-      wire forming;
 
       ffd_eval_factored #(
         .FOLD           (FOLD),
@@ -118,18 +117,15 @@ module ffd_org_factored #(
         .read_cell_o         (read_cell[lane*12 +: 12]),
         .read_index_o        (read_index[lane*6 +: 6]),
         .read_points_i       (read_points_i[POINTS_W*(lane % PORTS) +: POINTS_W]),
-        .forming_o           (forming),
         .result_valid_o      (sum_valid[lane]),
         .result_sum_o        (sum[lane*WIDTH +: WIDTH]),
         .result_jacobian_o   (jacobian[lane*3*WIDTH +: 3*WIDTH]),
         .result_second_o     (second[lane*WIDTH +: WIDTH])
       );
-      wire unused_ok = &{1'b0, forming};
     end
   endgenerate
 
   assign s_vertex_ready  = |(ready & turn);
-  assign forming_o       = 1'b0;
   assign result_second_o = second[0 +: WIDTH];
   wire unused_second = &{1'b0, second};
   generate

@@ -1,9 +1,9 @@
 // ffd_org_select: the organization numbered ORG
 //
 // ORG is 0 basic (N 1), 1 cg1 (N 1), 3 cg3 (N 1), 4 tree, 5 parallel (N 64), 6 factored (N 64), 7
-// factored/3 (N 32), 8 nested (N 4), 9 nested/3 (N 4), 10 affine (N 64), 11 affine/3 (N 32), 12
-// affine/3x2 (N 64), 13 affine/64 (N 1), 14 affine/2 (N 32), 15 affine/6 (N 32), 16 affine/4 (N
-// 16), 17 affine/4x3 (N 16), 18 jacobian/3 (N 32), 20 jet/3 (N 32), 22 walk (N 4), 23 walk/2 (N 4).
+// factored/3 (N 32), 10 affine (N 64), 11 affine/3 (N 32), 12 affine/3x2 (N 64), 13 affine/64 (N
+// 1), 14 affine/2 (N 32), 15 affine/6 (N 32), 16 affine/4 (N 16), 17 affine/4x3 (N 16), 18
+// jacobian/3 (N 32), 20 jet/3 (N 32), 22 walk (N 4), 23 walk/2 (N 4).
 // Made from rtl/organizations.csv by tools/tables/generated_files.py; changes here are lost.
 //
 // Ports, pipeline, parameters: those of every organization (docs/architecture.md).
@@ -37,8 +37,6 @@ module ffd_org_select #(
         ORG == 5 && N != 64 ||
         ORG == 6 && N != 64 ||
         ORG == 7 && N != 32 ||
-        ORG == 8 && N != 4 ||
-        ORG == 9 && N != 4 ||
         ORG == 10 && N != 64 ||
         ORG == 11 && N != 32 ||
         ORG == 12 && N != 64 ||
@@ -94,19 +92,6 @@ module ffd_org_select #(
       );
     end else if (ORG == 7) begin : gen_factored_by_3
       ffd_org_factored #(
-        .FOLD(3),
-        `include "ffd_org_arguments.vh"
-      ) u_org (
-        `include "ffd_org_connections.vh"
-      );
-    end else if (ORG == 8) begin : gen_nested
-      ffd_org_nested #(
-        `include "ffd_org_arguments.vh"
-      ) u_org (
-        `include "ffd_org_connections.vh"
-      );
-    end else if (ORG == 9) begin : gen_nested_by_3
-      ffd_org_nested #(
         .FOLD(3),
         `include "ffd_org_arguments.vh"
       ) u_org (

@@ -199,7 +199,6 @@ module ffd_org_tree #(
     .result_sum_o  (result_sum_o)
   );
 
-  assign forming_o         = 1'b0;
   assign result_jacobian_o = {9 * `FFD_SUM_W(FORMAT) {1'b0}};
   assign result_second_o   = {3 * `FFD_SUM_W(FORMAT) {1'b0}};
 endmodule

@@ -17,11 +17,10 @@
 // How many points it takes in a clock; four, the functions of an axis, where it may be any.
 `define FFD_ORG_N(ORG) \
   ((ORG) == 0 ? 1 : (ORG) == 1 ? 1 : (ORG) == 3 ? 1 : (ORG) == 5 ? 64 : \
-    (ORG) == 6 ? 64 : (ORG) == 7 ? 32 : (ORG) == 8 ? 4 : (ORG) == 9 ? 4 : \
-    (ORG) == 10 ? 64 : (ORG) == 11 ? 32 : (ORG) == 12 ? 64 : (ORG) == 13 ? 1 : \
-    (ORG) == 14 ? 32 : (ORG) == 15 ? 32 : (ORG) == 16 ? 16 : (ORG) == 17 ? 16 : \
-    (ORG) == 18 ? 32 : (ORG) == 20 ? 32 : (ORG) == 22 ? 4 : (ORG) == 23 ? 4 : \
-    4)
+    (ORG) == 6 ? 64 : (ORG) == 7 ? 32 : (ORG) == 10 ? 64 : (ORG) == 11 ? 32 : \
+    (ORG) == 12 ? 64 : (ORG) == 13 ? 1 : (ORG) == 14 ? 32 : (ORG) == 15 ? 32 : \
+    (ORG) == 16 ? 16 : (ORG) == 17 ? 16 : (ORG) == 18 ? 32 : (ORG) == 20 ? 32 : \
+    (ORG) == 22 ? 4 : (ORG) == 23 ? 4 : 4)
 
 // At how many ports it reads points.
 `define FFD_ORG_PORTS(ORG) ((ORG) == 17 ? 3 : 1)

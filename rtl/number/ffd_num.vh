@@ -14,9 +14,6 @@
 // saturation touched says so, and no organization carries a flag of its own. In fixed point F is 1,
 // {saturated}. In block floating point it is 3, {minus, plus, saturated}: a number with plus is an
 // infinity, with minus one below 0, with both a NaN, whatever its value; so OR adds these too.
-//
-// In binary32 and in fixed point weight and point are equally wide, so that a word of one can be
-// taken for the other, at half or twice its value in fixed point: the nested form does.
 // SPDX-License-Identifier: Apache-2.0
 `ifndef FFD_NUM_VH
 `define FFD_NUM_VH
@@ -75,8 +72,6 @@
 `define FFD_FP_REGISTERS(LATENCY, STEPS, STEP) \
   (((STEP) + 1) * (LATENCY) / (STEPS) - (STEP) * (LATENCY) / (STEPS))
 
-// Clocks after which a step adds its coefficient.
-`define FFD_STEP_JOIN(MUL_LATENCY, FMA_LATENCY) ((FMA_LATENCY) > 0 ? 0 : (MUL_LATENCY))
 `define FFD_FMA_BAD(FORMAT, FMA_LATENCY) ((FMA_LATENCY) < 0 || ((FMA_LATENCY) > 0 && (FORMAT) != 0))
 
 // The stream word of a coordinate that could not be computed: canonical NaN, or 0.

@@ -47,7 +47,6 @@ module ffd_num_base_term #(
     .FORMAT(FORMAT)
   ) u_widen (
     .point_i(taken),
-    .shift_i(2'd0),
     .sum_o  (term_o)
   );
 

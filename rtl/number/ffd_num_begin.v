@@ -32,7 +32,6 @@ module ffd_num_begin #(
     .FORMAT(FORMAT)
   ) u_widen (
     .point_i(point_i),
-    .shift_i(2'd0),
     .sum_o  (wide)
   );
 

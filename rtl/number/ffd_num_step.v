@@ -2,11 +2,9 @@
 //
 // Rounding:   fp32: the product and the sum each to nearest even, or fused, once. Else: Q2.(W-2),
 //             half up, once (the coefficient is on the grid); saturated outside [-2, 2).
-// Pipeline:   FFD_STEP_LATENCY registers, II 1, never frozen. The coefficient comes with the other
-//             operands, or with LATE FFD_STEP_JOIN later, where it is added: one that stands still
-//             then needs no registers.
+// Pipeline:   FFD_STEP_LATENCY registers, II 1, never frozen.
 // Parameters: FORMAT as in ffd_num.vh, MUL_LATENCY >= 1, ADD_LATENCY >= 1; FMA_LATENCY >= 1 fuses
-//             (fp32 only), 0 does not; LATE 0 or 1.
+//             (fp32 only), 0 does not.
 // Model:      golden/include/hwffd/numerics (step).  Test: tests/unit/fixed, tests/unit/float.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -16,8 +14,7 @@ module ffd_num_step #(
   parameter FORMAT      = 18,
   parameter MUL_LATENCY = 1,
   parameter ADD_LATENCY = 1,
-  parameter FMA_LATENCY = 0,
-  parameter LATE        = 0
+  parameter FMA_LATENCY = 0
 ) (
   input  wire                              clk,
   input  wire [`FFD_WEIGHT_W(FORMAT)-1:0]  coefficient_i,
@@ -43,7 +40,7 @@ module ffd_num_step #(
   wire [WEIGHT_W-1:0] coefficient;
   ffd_num_delay #(
     .WIDTH  (WEIGHT_W),
-    .LATENCY(LATE != 0 ? 0 : `FFD_STEP_JOIN(MUL_LATENCY, FMA_LATENCY))
+    .LATENCY(FMA_LATENCY > 0 ? 0 : MUL_LATENCY)
   ) u_coefficient (
     .clk(clk),
     .rst(1'b0),

@@ -274,7 +274,7 @@ module hwffd_stream #(
   wire [1:0]                        decoder_wait;
   wire                              result_final = result_words_user[PART_W-1] && result_last;
   wire [USER_W-1:0]                 result_user  = result_words_user[USER_W-1:0];
-  wire                              evaluating, forming, decoder_idle, encoder_idle;
+  wire                              evaluating, decoder_idle, encoder_idle;
   wire                              leave  = result_valid && result_ready;
 
   wire                              saturates, second_saturates;
@@ -487,7 +487,6 @@ module hwffd_stream #(
     .read_index_o        (read_index),
     .read_points_i       (points),
     .evaluating_o        (evaluating),
-    .forming_o           (forming),
     .m_result_valid      (result_valid),
     .m_result_ready      (result_ready),
     .m_result_words      (result_words),
@@ -553,7 +552,7 @@ module hwffd_stream #(
   assign vertex_o = retire_q;
   assign second_o = second_q;
 
-  assign wait_o    = {forming, decoder_wait};
+  assign wait_o    = {1'b0, decoder_wait};
   assign idle_o    = ingress_idle && decoder_idle && encoder_idle;
   wire unused_ok = &{1'b0, part_fourth, vertex_second};
 endmodule

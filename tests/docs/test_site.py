@@ -157,7 +157,7 @@ def site(tmp_path_factory):
 def test_the_site_is_whole(site):
     home = (site / "docs" / "index.html").read_text()
     assert "<!-- results" not in home
-    for page in ("docs/reference/cpp.html", "docs/tutorial/10-bitstream.html", "docs/organizations/nested.html"):
+    for page in ("docs/reference/cpp.html", "docs/tutorial/10-bitstream.html", "docs/organizations/walk.html"):
         assert (site / "docs" / page).is_file()
     assert "pull_back" in (site / "docs" / "search" / "search_index.js").read_text()
 

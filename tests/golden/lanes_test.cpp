@@ -79,14 +79,10 @@ TEST(Lanes, ProductsOfAllNumbersOfEightBits) {
     for (int shift = 0; shift <= 3; ++shift) {
       compared.same(Eight::scale(a, shift), each([&](int i) { return One::scale(a1[i], shift); }),
                     "scale");
-      if (shift > 2) continue;
-      compared.same(Eight::widen(a, shift), each([&](int i) { return One::widen(a1[i], shift); }),
-                    "widen");
     }
-    compared.same(Eight::centre(a), each([&](int i) { return One::centre(a1[i]); }), "centre");
   }
   std::printf("%llu results\n", static_cast<unsigned long long>(compared.count()));
-  EXPECT_EQ(compared.count(), 256U * (256 * (2 + 52) + 4 + 3 + 1));
+  EXPECT_EQ(compared.count(), 256U * (256 * (2 + 52) + 4));
 }
 
 TEST(Lanes, RoundingsOfAllSumsOfEightBits) {
@@ -100,13 +96,9 @@ TEST(Lanes, RoundingsOfAllSumsOfEightBits) {
                   "narrow");
     compared.same(Eight::out_units(sum), each([&](int i) { return One::out_units(scalars[i]); }),
                   "out");
-    const int shift = static_cast<int>(first / kLanes % 5) - 1;
-    if (shift < -1) continue;
-    compared.same(Eight::rescale(sum, shift),
-                  each([&](int i) { return One::rescale(scalars[i], shift); }), "rescale");
   }
   std::printf("%llu results\n", static_cast<unsigned long long>(compared.count()));
-  EXPECT_GT(compared.count(), 2U * 2 * kEnd);
+  EXPECT_EQ(compared.count(), 2U * 2 * kEnd);
 }
 
 TEST(Lanes, WordsOfPoints) {

@@ -325,8 +325,8 @@ TEST(Device, UnknownNamesAreListed) {
   }
   EXPECT_EQ(said, expected);
   EXPECT_LT(said.size(), 240u);
-  expect({"model", "nested/3", "bfp32"},
-         "device model: no 'nested/3' in format 'bfp32' here; it has fp32, fx18, fx32");
+  expect({"model", "affine/3", "bfp32"},
+         "device model: no 'affine/3' in format 'bfp32' here; it has fx17, fx32");
   expect({"model", "basic-fx18-overlapped", "fp32"},
          "row basic-fx18-overlapped is in format fx18, not 'fp32'; leave the format out");
   expect({"model", "basic-fp32-paper", ""},

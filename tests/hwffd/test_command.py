@@ -257,7 +257,7 @@ class Command(CommandTest):
         for words, row in {
                 ("factored/3", "--format", "fx18"): "factored3-fx18-overlapped",
                 ("tree 8",): "tree8-fp32-overlapped",
-                ("nested3", "--format", "fx32"): "nested3-fx32-overlapped",
+                ("affine3", "--format", "fx32"): "affine3-fx32-overlapped",
                 ("basic-fp32-overlapped-fmac",): "basic-fp32-overlapped-fmac",
                 ("basic-fp32-overlapped-deep", "--format", "fp32"): "basic-fp32-overlapped-deep",
                 ("basic-fx32-overlapped-iterative",): "basic-fx32-overlapped-iterative",

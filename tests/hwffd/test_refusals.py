@@ -87,7 +87,7 @@ REFUSED = {
     "deform solid.obj -o out.ply --outside away": (USAGE, "away", "fade"),
     "deform solid.obj -o out.ply --device fpga": (USAGE, "fpga", "rtl"),
     "deform solid.obj -o out.ply --device model --org cg9":
-        (USAGE, "cg9", "basic", "cg3", "nested3"),
+        (USAGE, "cg9", "basic", "cg3", "factored3"),
     "deform solid.obj -o out.ply --device model --format fp64": (USAGE, "fp64", "fx18"),
     "deform solid.obj -o out.ply --device model --org basic-fp32-overlapped-fma":
         (USAGE, "fma", "hwffd info"),

@@ -65,7 +65,8 @@ def test_exit_status_is_shown(make, status):
     assert re.search(rf"\Amake: \*\*\* \[Makefile:\d+: sim\] Error {status}\n\Z", errors)
 
 
-@pytest.mark.parametrize("target, label", (("test", "^test$"), ("test-all", "^(test|all|fuzz)$"), ("fuzz", "^fuzz$")))
+@pytest.mark.parametrize("target, label", (("test", "^test$"), ("test-all", "^(test|all|synth|fuzz)$"), ("test-synth", "^synth$"),
+                                           ("fuzz", "^fuzz$")))
 def test_tests_end_with_ctest(make, target, label):
     last = make(target)[1][-1]
     assert last.startswith("ctest ") and last.endswith(f" -L {label}")

@@ -162,10 +162,10 @@ def test_files_of_a_build(checkout, script, name):
 
 def test_many_float_units_are_wide():
     wide = {row.name: row.wide for row in configurations.read()}
-    for name in ("tree16-fp32-overlapped", "nested3-fp32-overlapped", "factored-fp32-overlapped",
+    for name in ("tree16-fp32-overlapped", "factored-fp32-overlapped",
                  "parallel-fp32-paper-fmac"):
         assert wide[name], name
-    for name in ("tree8-fp32-overlapped", "cg3-fp32-paper", "nested-fx18-overlapped"):
+    for name in ("tree8-fp32-overlapped", "cg3-fp32-paper", "factored-fx18-overlapped"):
         assert not wide[name], name
 
 

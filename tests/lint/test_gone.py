@@ -10,7 +10,8 @@ from tools.csv_table import TableError
 from tools.tables import configurations, gone, organizations
 
 GONE = {("org", "cg2", 2): "cg1", ("evaluator", "bspline", 2): "pipelined",
-        ("org", "jacobian/3x3", 19): "jacobian/3", ("org", "scan/4", 21): "walk"}
+        ("org", "jacobian/3x3", 19): "jacobian/3", ("org", "scan/4", 21): "walk",
+        ("org", "nested", 8): "factored", ("org", "nested/3", 9): "factored/3"}
 CG2 = "cg2 went with 0.3.0: take cg1"
 BSPLINE = "bspline went with 0.3.0: take pipelined"
 JACOBIAN = "jacobian/3x3 went with 0.3.0: take jacobian/3"

@@ -12,11 +12,11 @@ from tools.tables import configurations, organization_rtl, organizations
 HEADER = ",".join(organizations.COLUMNS)
 # Software reads these in CONFIG.org: a core of any version has them.
 NUMBERS = {"basic": 0, "cg1": 1, "cg3": 3, "tree": 4, "parallel": 5, "factored": 6,
-           "factored/3": 7, "nested": 8, "nested/3": 9, "affine": 10, "affine/3": 11, "affine/3x2": 12,
+           "factored/3": 7, "affine": 10, "affine/3": 11, "affine/3x2": 12,
            "affine/64": 13, "affine/2": 14, "affine/6": 15, "affine/4": 16, "affine/4x3": 17,
            "jacobian/3": 18, "jet/3": 20, "walk": 22, "walk/2": 23}
 
-ROW = "basic,0,tree SERIAL=1,1,product,1,64 * poly,0,64 * start,,0,0,every,"
+ROW = "basic,0,tree SERIAL=1,1,product,1,64 * poly,0,64 * start,every,"
 
 
 def row(**changes):
@@ -47,7 +47,6 @@ BAD = {
     "no clocks": (row(overlapped=""), 2, "overlapped: no formula"),
     "paper without the last": (row(last=""), 2, "last: a formula where paper has one"),
     "more than CONFIG.org has bits for": (row(number="256"), 2, "number is '256', 0 to 255"),
-    "seam in words": (row(seam_float="none"), 2, "seam_float is 'none'"),
     "no such target": (row(mapped="fx99"), 2, "unknown mapped 'fx99'"),
     "half a range": (row(mapped_n="2-"), 2, "as in 1-64"),
     "range the wrong way": (row(mapped_n="8-2"), 2, "1 to 64 wanted"),
@@ -83,13 +82,12 @@ def test_bad_tables(tree, rows, line, word):
     ("basic", 640, 384, 192), ("cg1", 392, 292, 64), ("cg3", 344, 268, 64),
     ("tree", 96, 72, 24), ("parallel", 15, 12, 3)))
 def test_formulas_are_those_of_the_paper(name, paper, with_fused, overlapped):
-    unfused, fused = ({"n": 8, "poly": poly, "add": add, "start": 3, "read": 2, "contract": 5}
+    unfused, fused = ({"n": 8, "poly": poly, "add": add, "start": 3}
                       for poly, add in ((6, 1), (3, 0)))
     formulas = organizations.read()[name].formulas
     assert formulas["paper"].value(**unfused) == paper
     assert formulas["paper"].value(**fused) == with_fused
     assert formulas["overlapped"].value(**unfused) == overlapped
-    assert organizations.read()["nested/3"].formulas["formed"].value(**unfused) == 238
 
 
 def test_numbers_are_those_that_software_knows():

@@ -46,13 +46,13 @@ def test_the_table_of_results_joins_three_reports(reports):
     assert table.rows[0] == ["`basic`", "64", "11", "1,504", "504", "-", "-", "-", "8.7e-05"]
     bounds = {"rows": [{"form": form, "format": word, "bound": bound, "hypothesis": ""}
                        for form, word, bound in (("product", "fx18", 7e-4), ("product", "fx18", 6e-4),
-                                                 ("product", "fx32", 5e-4), ("nested", "fx18", 4e-4))]}
+                                                 ("product", "fx32", 5e-4), ("affine", "fx18", 4e-4))]}
     data = reports(organizations=samples.ORGANIZATIONS, synth=samples.SYNTH, pnr=samples.PNR, bounds=bounds)
-    assert [row[-2] for row in text_blocks.table(data, "results.organizations basic nested").rows] == [
+    assert [row[-2] for row in text_blocks.table(data, "results.organizations basic affine").rows] == [
         "6.0e-04", "4.0e-04"]
     assert table.rows[1][5:7] == ["110.0", "13.75"]
-    assert [line[0] for line in text_blocks.table(data, "results.organizations tree8 nested").rows] == [
-        "`tree 8`", "`nested`"]
+    assert [line[0] for line in text_blocks.table(data, "results.organizations tree8 affine").rows] == [
+        "`tree 8`", "`affine`"]
 
 
 def test_a_clock_with_a_remark_gives_no_vertices_a_second(reports):
@@ -64,7 +64,7 @@ def test_a_clock_with_a_remark_gives_no_vertices_a_second(reports):
 
 def test_rates(data):
     timed, untimed = (next(entry for entry in throughput.throughputs(data) if entry.name == name)
-                      for name in ("basic-fx18-overlapped", "nested-fx18-overlapped"))
+                      for name in ("basic-fx18-overlapped", "affine-fx18-overlapped"))
     assert (timed.size, timed.unit, timed.multipliers) == (500, "LUTs", 8)
     assert timed.per_second == 100e6 / 64
     assert timed.per_size == 100e6 / 64 / 500
@@ -89,7 +89,7 @@ def test_the_front_is_what_no_other_beats(data):
     entries = [entry for entry in throughput.throughputs(data) if entry.target == "ecp5"]
     assert [entry.name for entry in throughput.unbeaten(entries)] == [
         "basic-fx18-overlapped", "tree8-fx18-overlapped", "parallel-fx18-overlapped",
-        "nested-fx18-overlapped"]
+        "affine-fx18-overlapped"]
 
 
 @pytest.mark.parametrize("name, label", (("tree8-fx18-overlapped", "tree 8 fx18"),

@@ -176,7 +176,7 @@ TEST_P(Derivatives, DeterminantAloneIsThatOfTwo) {
 /// J is behind them, and 3 for det J alone; where one pass gives all, one of them, or a clock for
 /// each result beat.
 double clocks_of(const Configuration& row, Results wanted) {
-  const double interval = scattered_interval(row);
+  const double interval = expected_interval(row);
   if (gives_jacobian(row)) return std::max(interval, static_cast<double>(results_of(wanted)));
   // In `walk` the position and the derivative along s are one run.
   return walks(row) || wanted == Results::kDeterminantAlone ? 3 * interval : 4 * interval;

@@ -32,14 +32,11 @@ constexpr std::array<Case, 6> kCases{{
     {"turned", {"catmull-rom", "constant", "hermite"}},
 }};
 
-/// Largest error of a component, points in [-1/2, 1/2); docs/numerics.md section 8, section 6 where
-/// a cell's coefficients are rounded.
+/// Largest error of a component, points in [-1/2, 1/2); docs/numerics.md section 8.
 double bound(const Configuration& row) {
   static const std::map<std::string, double> bounds{
       {"fp32", 5e-7}, {"fx17", 2.8e-4}, {"fx18", 1.4e-4}, {"fx32", 7e-9}, {"bfp32", 4e-8}};
-  static const std::map<std::string, double> bounds_in_cell{
-      {"fp32", 5e-7}, {"fx18", 4e-4}, {"fx32", 2.5e-8}};
-  return keeps_cell(row) ? bounds_in_cell.at(row.format) : bounds.at(row.format);
+  return bounds.at(row.format);
 }
 
 /// An evaluator with the B-spline wired in ignores what is loaded.
@@ -137,11 +134,10 @@ TEST_P(FamilyOnAxes, BitsOfTheModelAndValuesOfTheOracle) {
 }
 
 // Along u the weights are 3 - 3 u and 3 u - 2, whose sum is 1: in fixed point the first leaves
-// [-2, 2) where u is below 1/3, and the result says so; binary32 takes it as it is, and where a
-// cell is kept, or the weight is what others leave, it is never computed.
+// [-2, 2) where u is below 1/3, and the result says so; binary32 takes it as it is, and where the
+// weight is what others leave, it is never computed.
 TEST_P(FamilyOnAxes, AUsersMatrixThatSaturatesIsFlagged) {
   const bool wired = hard_wired(GetParam());
-  const bool weighs = !wired && !keeps_cell(GetParam());
   SystemRun run(GetParam(), tb::seed_from_environment(1));
   tb::Random random(tb::seed_from_environment(1));
   const WordCodec& codec = run.codec();
@@ -170,7 +166,7 @@ TEST_P(FamilyOnAxes, AUsersMatrixThatSaturatesIsFlagged) {
   for (std::size_t v = 0; v < kVertices; ++v) {
     const double u = codec.decode_coordinate(vertices[v].local[2]);
     const bool computed = !completes(GetParam()) || last_function(vertices[v], 2) != 1;
-    const bool saturates = weighs && computed && codec.has_fixed_weights() && u < 1.0 / 3;
+    const bool saturates = !wired && computed && codec.has_fixed_weights() && u < 1.0 / 3;
     EXPECT_EQ(results[v].words[3] >> 16, saturates ? kStatusSaturated >> 16 : 0U) << "u = " << u;
     if (saturates) {
       ++flagged;
@@ -181,7 +177,7 @@ TEST_P(FamilyOnAxes, AUsersMatrixThatSaturatesIsFlagged) {
   }
   EXPECT_EQ(flagged + whole, kVertices);
   EXPECT_GT(whole, 5U);
-  EXPECT_EQ(flagged > 5, weighs && codec.has_fixed_weights());
+  EXPECT_EQ(flagged > 5, !wired && codec.has_fixed_weights());
 }
 
 HWFFD_FOR_EACH_CONFIGURATION(FamilyOnAxes);

@@ -361,14 +361,14 @@ TEST_P(Grids, ClocksOfAGrid) {
   run.send_grid(grid);
   ASSERT_TRUE(run.run());
   if (!walks(run.row())) {
-    EXPECT_EQ(run.bench().clocks_per_result(count - 104, count), scattered_interval(run.row()));
+    EXPECT_EQ(run.bench().clocks_per_result(count - 104, count), expected_interval(run.row()));
   }
   const auto latency = [&](std::size_t beat, std::size_t result) {
     return run.bench().result_clocks()[result] - run.bench().accept_clocks()[beat];
   };
   const std::size_t single = run.sent() - 5;
   const std::uint64_t more = latency(single + 4, 1) - latency(single, 0);
-  EXPECT_LE(more, 22 + static_cast<std::uint64_t>(scattered_interval(run.row())) - 1);
+  EXPECT_LE(more, 22 + static_cast<std::uint64_t>(expected_interval(run.row())) - 1);
 }
 
 TEST_P(Grids, AResetEndsThem) {
@@ -441,7 +441,7 @@ TEST_P(Grids, AStopEndsThem) {
         coefficients_packet(watertight_bspline(run.codec()), run.codec(), Functions::kBlending);
     append(sent, run.packet_of(lattice));
     std::vector<Beat> wanted = sent;
-    const auto interval = static_cast<std::uint64_t>(scattered_interval(run.row()));
+    const auto interval = static_cast<std::uint64_t>(expected_interval(run.row()));
     const std::uint64_t at = sent.size() + random.below(100 + 2 * vertices_of(grids[0]) * interval);
     PageVertices how;
     how.half = run.has(model::kHalvesFeature) && round % 2 == 1;

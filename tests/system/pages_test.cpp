@@ -298,7 +298,7 @@ TEST_P(TwoPages, ClocksOfASwitchOfPages) {
   const int axis = GetParam().core.axis;
   const unsigned place_bits = 3 * (axis > 32 ? 6 : axis > 16 ? 5 : 4);
   EXPECT_EQ(taken[part + 1] - taken[part], 2 * place_bits + 5);
-  const double interval = scattered_interval(run.row());
+  const double interval = expected_interval(run.row());
   EXPECT_EQ(run.bench().clocks_per_result(9, 39), std::max(interval, 6.0));
 }
 

@@ -14,16 +14,6 @@ namespace {
 
 class Resident : public PerConfiguration {};
 
-/// Where an organization keeps a cell, `together` vertices one after the other in one.
-std::vector<VertexBeat> gathered(const Configuration& row, std::vector<VertexBeat> vertices,
-                                 std::size_t together) {
-  if (!keeps_cell(row)) return vertices;
-  for (std::size_t v = 0; v < vertices.size(); ++v) {
-    vertices[v].cell = vertices[v / together * together].cell;
-  }
-  return vertices;
-}
-
 TEST_P(Resident, SameBitsAsInterleaved) {
   SystemRun run(GetParam(), 1, "gaps", "bernoulli");
   const Mesh mesh = Mesh::procedural();
@@ -58,7 +48,7 @@ TEST_P(Resident, ClocksPerVertexEqualTheFormula) {
   run.send_bspline();
   run.send(lattice_packet(lattice));
   const auto vertices = random_vertices(run.codec(), random, lattice.dims, 41 + 120);
-  run.send(vertices_packet(gathered(GetParam(), vertices, vertices.size())));
+  run.send(vertices_packet(vertices));
   ASSERT_TRUE(run.run());
   EXPECT_EQ(run.bench().clocks_per_result(40, 160), expected_interval(GetParam()));
 }
@@ -104,8 +94,8 @@ TEST_P(Resident, LoadsALatticeWhileTheOldOneIsRead) {
   }
 }
 
-// Vertices of one cell, again and again under other points and other functions: what was formed for
-// those before must not be used. Two lattices one after the other come into the same buffer, and
+// Vertices of one cell, again and again under other points and other functions: what those before
+// had must not be used. Two lattices one after the other come into the same buffer, and
 // packets cut short change nothing.
 TEST_P(Resident, ReloadsBetweenVerticesOfOneCell) {
   for (std::uint64_t seed = 1; seed <= share_of(4); ++seed) {
@@ -144,7 +134,7 @@ std::vector<Configuration> fast_configurations() {
   });
 }
 
-/// A lattice of 16 points an axis and vertices in random cells of it, four where one is kept.
+/// A lattice of 16 points an axis and vertices in random cells of it.
 class Sustained : public PerConfiguration {
  protected:
   /// Coefficients, lattice and packet; returns the beats before the first vertex.
@@ -156,8 +146,7 @@ class Sustained : public PerConfiguration {
         coefficients_packet(watertight_bspline(run.codec()), run.codec());
     run.send(bspline);
     run.send(load);
-    run.send(vertices_packet(gathered(
-        GetParam(), random_vertices(run.codec(), random, lattice.dims, vertices), vertices / 4)));
+    run.send(vertices_packet(random_vertices(run.codec(), random, lattice.dims, vertices)));
     return bspline.size() + load.size() + 1;
   }
 };
@@ -175,7 +164,7 @@ TEST_P(Sustained, RateOverRandomCells) {
   const auto clocks = static_cast<double>(results.back() - start);
   const auto latency = static_cast<double>(results.front() - start);
   std::printf("%zu vertices, %.0f clocks, latency %.0f\n", kVertices, clocks, latency);
-  EXPECT_LE(latency, 200 + scattered_interval(GetParam()));
+  EXPECT_LE(latency, 200 + expected_interval(GetParam()));
   EXPECT_LE(clocks, 1.01 * expected_interval(GetParam()) * kVertices + latency);
 }
 

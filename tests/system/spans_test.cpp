@@ -63,9 +63,6 @@ class Spans : public ::testing::TestWithParam<PageBuild> {
   std::unique_ptr<PageRun> run_;
 };
 
-/// Organizations whose weights are functions of one axis each.
-class ExactSpans : public Spans {};
-
 TEST_P(Spans, AnyPacketsInAnyOrder) {
   constexpr std::uint64_t kRounds = 40;
   for (std::uint64_t seed = tb::seed_from_environment(1), last = seed + 3; seed <= last; ++seed) {
@@ -234,7 +231,7 @@ TEST_P(Spans, ACellSeesEachChange) {
   EXPECT_GE(others, kChanges / 2);
 }
 
-TEST_P(ExactSpans, ClampedCornersAreTheirControlPoints) {
+TEST_P(Spans, ClampedCornersAreTheirControlPoints) {
   start(3);
   tb::Random random(3);
   const std::array<int, 3> dims{most_points(), 5, 4};
@@ -304,7 +301,7 @@ TEST_P(Spans, VerticesAreThoseOfDeBoor) {
 
 // Spans of knots sum to one, however their coefficients are rounded; one that does not is told
 // where the organization wants it.
-TEST_P(ExactSpans, ThoseThatDoNotSumToOneAreTold) {
+TEST_P(Spans, ThoseThatDoNotSumToOneAreTold) {
   start(8);
   const std::vector<double> knots = uneven_knots(most_points());
   const Functions functions = derivatives() ? Functions::kDerivativesToo : Functions::kBlending;
@@ -326,7 +323,7 @@ TEST_P(ExactSpans, ThoseThatDoNotSumToOneAreTold) {
 }
 
 // Vertices on faces, edges and corners that cells share get the same bits from each of them.
-TEST_P(ExactSpans, SeamsAreWatertight) {
+TEST_P(Spans, SeamsAreWatertight) {
   start(5);
   tb::Random random(5);
   const std::array<int, 3> dims{most_points(), most_points(), 6};
@@ -358,10 +355,6 @@ TEST_P(ExactSpans, SeamsAreWatertight) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, Spans, ::testing::ValuesIn(page_builds()), by_name);
-INSTANTIATE_TEST_SUITE_P(, ExactSpans, ::testing::ValuesIn(page_builds([](const PageBuild& build) {
-                           return std::string(build.row).rfind("nested", 0) != 0;
-                         })),
-                         by_name);
 
 }  // namespace
 }  // namespace hwffd::test

@@ -18,7 +18,7 @@ constexpr std::size_t kVertices = 1 + 120;
 /// Clocks between vertices: the organization's, each having points of its own, or the 49 beats of a
 /// vertex where it is faster.
 double formula(const Configuration& row) {
-  return std::max(static_cast<double>(kVertexBeats), scattered_interval(row));
+  return std::max(static_cast<double>(kVertexBeats), expected_interval(row));
 }
 
 class Throughput : public PerConfiguration {};
@@ -55,7 +55,7 @@ TEST_P(Throughput, LatencyOfASingleVertex) {
   const Configuration& row = GetParam();
   const int deep = std::max(row.add_latency, row.fma_latency);
   const double most_contexts = overlaps(row) ? deep : 1;
-  const double interval = scattered_interval(row);
+  const double interval = expected_interval(row);
   const double least = interval - most_contexts;
   const double most = most_contexts * interval + 6 * row.mul_latency + 10 * deep + 80;
   std::printf("latency %llu clocks\n", static_cast<unsigned long long>(latency));

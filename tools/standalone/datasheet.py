@@ -104,8 +104,6 @@ def _clocks(core):
         text = f"{own.formulas['overlapped'].value(n=n, start=start):g} clocks from a vertex to the next"
         if own.walks:
             text += ", and one along a row, where only s changes and consecutive vertices lie in a cell or the next"
-        if own.keeps_cell:
-            text += f" of the same cell; {own.formulas['formed'].text} clocks to one of another cell"
     else:
         fused = core.parameters["FMA_LATENCY"] > 0
         clocks = own.formulas["paper"].value(n=n, poly=3 if fused else 6, add=0 if fused else 1, start=start)

@@ -33,7 +33,6 @@ UNITS = {
     "ffd_num_offset": ("add",),
     "ffd_num_add": ("add",),
     "ffd_num_mac": ("fma",),
-    "ffd_num_centre": ("add",),
     "ffd_num_powers": 2 * ("mul",) + 9 * ("add",),
 }
 STEP = "ffd_num_step"

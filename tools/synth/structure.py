@@ -30,7 +30,6 @@ DESIGNS = (
     ("ffd_org_select", "cg3-fx18-overlapped", False),
     ("ffd_org_select", "tree8-fx18-overlapped", False),
     ("ffd_org_select", "factored3-fx18-overlapped", False),
-    ("ffd_org_select", "nested3-fx18-overlapped", False),
 )
 
 

@@ -29,7 +29,7 @@ FLOAT_UNITS = {"ffd_fp_add": ("add", "add_latency"), "ffd_fp_mul": ("mul", "mul_
 UNIT_TARGETS = ("ecp5", CELLS)
 
 # Mapped once each where a row keeps its units apart; the rest of the design is flattened.
-UNITS = ("ffd_eval_poly", "ffd_eval_horner", "ffd_num_mul", "ffd_num_term", "ffd_num_add",
+UNITS = ("ffd_eval_poly", "ffd_num_mul", "ffd_num_term", "ffd_num_add",
          "ffd_num_mac")
 # Targets whose multipliers take in registers and adders of other units, which only a flat fixed-
 # point design lets them do, and those where a chain of registers lies around what is routed.

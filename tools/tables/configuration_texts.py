@@ -79,15 +79,11 @@ def _organization(o):
         text = formula.cpp()
         return f"[](T{' t' if 't.' in text else ''}) {{ return {text}; }}"
 
-    def text(name):
-        return o.formulas[name].text if o.formulas[name] else ""
-
     module = " ".join([o.module, *(f"{name}={value}" for name, value in o.parameters.items())])
     return (f'      {{"{o.name}", {o.number}, "{module}", {o.n or 0}, Form::k{o.form.capitalize()},'
             f" {o.fold}, {o.lanes}, {str(o.jacobian).lower()}, {str(o.walks).lower()},"
             f" {str(o.pairs).lower()},"
-            f" {', '.join(map(clocks, o.formulas.values()))}, {o.seam_float},"
-            f' {o.seam_fixed}, "{text("overlapped")}", "{text("formed")}"}},')
+            f" {', '.join(map(clocks, o.formulas.values()))}, \"{o.formulas['overlapped'].text}\"}},")
 
 
 def _configuration(c):

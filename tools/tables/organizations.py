@@ -21,17 +21,16 @@ from tools.tables import gone
 from tools.tables.formulas import Formula
 
 TABLE = "organizations.csv"
-COLUMNS = ("org", "number", "module", "n", "form", "units", "paper", "last", "overlapped", "formed",
-           "seam_float", "seam_fixed", "mapped", "mapped_n")
+COLUMNS = ("org", "number", "module", "n", "form", "units", "paper", "last", "overlapped",
+           "mapped", "mapped_n")
 NUMBERS = range(256)  # what CONFIG.org has bits for
 UNITS = range(1, 65)
-SEAMS = range(1000)
 # On which targets besides ECP5: none, those of `fx18`, or those of every format.
 MAPPED = ("", "fx18", "every")
 
 # Formulas of clocks. What they may name is `ClockTerms` of hwffd/model/organizations.hpp.
-FORMULAS = ("paper", "last", "overlapped", "formed")
-TERMS = ("n", "poly", "add", "start", "read", "contract")
+FORMULAS = ("paper", "last", "overlapped")
+TERMS = ("n", "poly", "add", "start")
 
 NAME = re.compile(r"[a-z]+[0-9]*(/[0-9]+(x[0-9]+)?)?")
 
@@ -54,8 +53,6 @@ FORMS = {form.name: form for form in (
     Form("factored", ("float", "block", "fixed"), ("powers",), True, False, "one axis after the other"),
     Form("affine", ("fixed",), ("powers",), True, True,
          "the same, of functions that sum to one, by differences of points"),
-    Form("nested", ("float", "fixed"), (), False, False,
-         "a polynomial of the cell, formed when its first vertex comes"),
 )}
 
 
@@ -69,8 +66,6 @@ class Organization:
     form: str  # a name of FORMS
     units: Optional[int]  # None: N
     formulas: dict  # column -> Formula, or None where there is nothing of that kind
-    seam_float: int
-    seam_fixed: int
     mapped: str
     mapped_n: range
 
@@ -79,18 +74,13 @@ class Organization:
         return FORMS[self.form]
 
     @property
-    def keeps_cell(self):
-        """Whether it keeps what it forms for a cell from vertex to vertex."""
-        return self.formulas["formed"] is not None
-
-    @property
     def fold(self):
         return self.parameters.get("FOLD", 1)
 
     @property
     def in_turn(self):
         """Whether it takes the 64 points of a vertex in turn, N in a clock."""
-        return not (self.of_form.contracts or self.keeps_cell) or self.fold == 64 or (
+        return not self.of_form.contracts or self.fold == 64 or (
             self.fold == 4 and self.lanes == 1)
 
     @property
@@ -175,8 +165,6 @@ def _read_row(cells, where, rtl):
     return Organization(
         name, number, module, parameters, units("n"),
         csv_table.word(cells, "form", where, FORMS), units("units"), _formulas(cells, where),
-        csv_table.number(cells, "seam_float", where, SEAMS),
-        csv_table.number(cells, "seam_fixed", where, SEAMS),
         csv_table.word(cells, "mapped", where, MAPPED),
         csv_table.span(cells, "mapped_n", where, UNITS) if cells["mapped_n"] else UNITS)
 

@@ -81,9 +81,7 @@ class Draw:
         words += [word for word in ("float", "block") if word in org.of_form.words]
         word = self.random.choice(words)
         number = self.random.choice([n for n, f in self.formats.items() if f.words == word])
-        evaluators = [spaces.PIPELINED]
-        if org.of_form.evaluators:
-            evaluators += [spaces.POWERS if org.weighs_axes else spaces.ITERATIVE] * 2
+        evaluators = (spaces.PIPELINED, *[spaces.POWERS if org.weighs_axes else spaces.ITERATIVE] * 2)
         return {
             "ORG": org.number,
             "N": org.n or 1 << self.random.choice((0, 1, 1, 2, 2, 3, 3, 4, 5)),

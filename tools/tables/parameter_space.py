@@ -58,11 +58,6 @@ def _names(members):
     return values.listed(member.name for member in members)
 
 
-def _modules(members):
-    """A pattern of the modules of these organizations, as guards name them."""
-    return "|".join(sorted({f"org_{member.module}" for member in members}))
-
-
 class Space:
     """The space of one checkout: parameters by top, and rules."""
 
@@ -113,7 +108,7 @@ class Space:
             Parameter("FORMAT", values.of(*self.formats), "ffd_num_\\w+_format_is_unknown", unnamed),
             Parameter("SCHEDULE", values.of(*range(len(SCHEDULES))), "ffd_org_\\w+_schedule_must_be_.*"),
             Parameter("EVALUATOR", values.of(*EVALUATORS.values()),
-                      f"ffd_(eval_poly|{_modules(self._pipelined())})_evaluator_must_be_.*"),
+                      "ffd_eval_poly_evaluator_must_be_.*"),
             Parameter("MUL_LATENCY", values.of(Between(1)), "ffd_num_\\w*latenc(y|ies)_must_be_at_least_1"),
             Parameter("ADD_LATENCY", values.of(Between(1)), "ffd_num_\\w*latenc(y|ies)_must_be_at_least_1"),
             Parameter("FMA_LATENCY", values.of(Between(0)), "\\w+_fused_needs_fp32"),
@@ -183,19 +178,12 @@ class Space:
     def _those(self, kind):
         return [organization for organization in self.organizations.values() if kind(organization)]
 
-    def _pipelined(self):
-        """Organizations without a choice of evaluators."""
-        return self._those(lambda organization: not organization.of_form.evaluators)
-
     def _row_rules(self):
         """Of organization, format, schedule and evaluator."""
         chosen = self._those(lambda organization: organization.n is None)
         paper = self._those(lambda organization: organization.formulas["paper"])
         axes = self._those(lambda organization: organization.weighs_axes)
         fixed = self._those(lambda organization: organization.of_form.words == ("fixed",))
-        blockless = self._those(lambda organization: "float" in organization.of_form.words
-                                and "block" not in organization.of_form.words)
-        pipelined = self._pipelined()
         of = self.organizations
         return [
             Rule(f"N is that of the organization; of {_names(chosen)} it may be any", ("ORG", "N"),
@@ -203,27 +191,20 @@ class Space:
             Rule(f"the paper's schedule is of {_names(paper)}", ("ORG", "SCHEDULE"),
                  lambda p: p.SCHEDULE == OVERLAPPED or of[p.ORG] in paper,
                  "ffd_org_\\w+_schedule_must_be_overlapped"),
-            Rule(f"{_names(pipelined)} have EVALUATOR {PIPELINED}", ("ORG", "EVALUATOR"),
-                 lambda p: of[p.ORG] not in pipelined or p.EVALUATOR == PIPELINED,
-                 f"ffd_({_modules(pipelined)})_evaluator_must_be_pipelined"),
             Rule(f"EVALUATOR {ITERATIVE} is not of {_names(axes)}", ("ORG", "EVALUATOR"),
                  lambda p: of[p.ORG] not in axes or p.EVALUATOR != ITERATIVE,
                  "ffd_eval_axis_weights_evaluator_must_not_be_iterative"),
             Rule(f"EVALUATOR {POWERS} is of {_names(axes)} only", ("ORG", "EVALUATOR"),
-                 lambda p: of[p.ORG] in (*axes, *pipelined) or p.EVALUATOR != POWERS,
+                 lambda p: of[p.ORG] in axes or p.EVALUATOR != POWERS,
                  "ffd_eval_poly_evaluator_must_be_0_or_1"),
             Rule(f"EVALUATOR {POWERS} wants fixed point", ("ORG", "EVALUATOR", "FORMAT"),
                  lambda p: of[p.ORG] not in axes or p.EVALUATOR != POWERS or self.words(p) == "fixed",
                  "ffd_num_\\w+_needs_fixed_point"),
             Rule(f"{_names(fixed)} want fixed point", ("ORG", "FORMAT"),
                  lambda p: of[p.ORG] not in fixed or self.words(p) == "fixed", "ffd_num_\\w+_needs_fixed_point"),
-            Rule(f"{_names(blockless)} have no block floating point", ("ORG", "FORMAT"),
-                 lambda p: of[p.ORG] not in blockless or self.words(p) != "block",
-                 f"ffd_({_modules(blockless)})_points_and_weights_must_be_equally_wide"),
         ]
 
     def _latency_rules(self):
-        nested = self._those(lambda organization: organization.keeps_cell)
         serial = self._those(lambda organization: organization.in_sequence)
         of = self.organizations
         return [
@@ -241,12 +222,6 @@ class Space:
                  ("ORG", "MUL_LATENCY", "CONVERT_LATENCY"),
                  lambda p: of[p.ORG] not in serial or p.MUL_LATENCY + p.CONVERT_LATENCY <= 11,
                  "ffd_eval_serial_latencies_are_too_long"),
-            Rule(f"of {_names(nested)} the fold, ADD_LATENCY and 9 steps, of MUL_LATENCY and ADD_LATENCY or "
-                 "FMA_LATENCY each, are 144 together at most",
-                 ("ORG", "MUL_LATENCY", "ADD_LATENCY", "FMA_LATENCY"),
-                 lambda p: of[p.ORG] not in nested or
-                 of[p.ORG].fold + p.ADD_LATENCY + 9 * (p.FMA_LATENCY or p.MUL_LATENCY + p.ADD_LATENCY) <= 144,
-                 "ffd_org_nested_latencies_are_too_long"),
         ]
 
     def _store_rules(self):

@@ -114,16 +114,6 @@ void Engine::check_mesh() const {
   if (!has_mesh()) throw Error("lattice: there is no mesh that it is around; give one first");
 }
 
-std::vector<std::size_t> Engine::order() const {
-  std::vector<std::size_t> order(embedded_.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  if (!keeps_cell(*row_)) return order;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return embedded_[a].cell < embedded_[b].cell;
-  });
-  return order;
-}
-
 Traffic Engine::deform(std::vector<std::size_t> vertices, const StreamWords& words,
                        std::vector<Beat> commands, Deformed& deformed) {
   std::vector<Embedded> embedded;
@@ -162,7 +152,8 @@ Deformed Engine::deform() {
   if (inside_->begun()) core_->reset();
   std::vector<Beat> commands = coefficients_packet(watertight_bspline(codec), codec);
   append(commands, lattice_packet(lattice_words(*lattice_, codec, words.normalization)));
-  const std::vector<std::size_t> all = order();
+  std::vector<std::size_t> all(embedded_.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
   Deformed deformed;
   deformed.positions.resizeLike(positions_);
   std::optional<Traffic> first;

@@ -71,8 +71,6 @@ class Engine {
  private:
   void rest();
   void check_mesh() const;
-  /// The order in which vertices go to the core: by cells, where it keeps one.
-  std::vector<std::size_t> order() const;
 
   /// How coordinates become words of the stream.
   struct StreamWords {

@@ -55,7 +55,6 @@ Inside::Inside(RunningCore& core, const Configuration& row)
       signals_(core.core().signals()),
       probes_(signals_, row),
       recorder_(signals_) {
-  if (keeps_cell(row)) forming_ = Forming{signals_.only("hwffd_stream:forming")};
   for (const Block& block : design_of(row).blocks) {
     Light light;
     for (const std::string& source : sources_of(block.busy)) {
@@ -75,19 +74,9 @@ Inside::Inside(RunningCore& core, const Configuration& row)
 void Inside::begin(Traffic traffic) {
   traffic_ = std::move(traffic);
   probes_ = ScheduleProbes(signals_, row_);
-  if (forming_) forming_->spans.clear();
   next_ = 0;
   vertices_ = 0;
   mismatches_ = 0;
-}
-
-void Inside::look_at_former(std::uint64_t clock) {
-  std::deque<cores::Lane::Span>& spans = forming_->spans;
-  while (!spans.empty() && spans.front().end + kTimeline < clock) spans.pop_front();
-  if (forming_->signal.value() == 0) return;
-  if (spans.empty() || spans.back().end != clock)
-    spans.push_back({clock, clock, probes_.entered()});
-  spans.back().end = clock + 1;
 }
 
 void Inside::check(const Beat& result) {
@@ -103,7 +92,6 @@ void Inside::clock() {
   const std::uint64_t now = core_.clocks();
   probes_.sample(now);
   recorder_.sample(now);
-  if (forming_) look_at_former(now);
   for (Light& light : lights_) {
     light.on = std::any_of(light.signals.begin(), light.signals.end(),
                            [](const cores::Signal& signal) { return signal.value() != 0; });
@@ -139,11 +127,7 @@ Snapshot Inside::snapshot() const {
   shown.mismatches = mismatches_;
   shown.ports = recorder_.values();
   const cores::Units units{design_of(row_).evaluators, read_latency_of(row_)};
-  std::vector<cores::Lane> lanes = cores::lanes_of(row_, units, probes_.schedule());
-  if (forming_) {
-    lanes.insert(lanes.begin(),
-                 {"coefficients of a cell", {forming_->spans.begin(), forming_->spans.end()}});
-  }
+  const std::vector<cores::Lane> lanes = cores::lanes_of(row_, units, probes_.schedule());
   const std::uint64_t last = shown.clock == 0 ? 0 : shown.clock - 1;
   for (const Light& light : lights_) {
     bool on = light.on;

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,14 +64,7 @@ class Inside {
     bool on = false;                 ///< by a signal, in the last clock
   };
 
-  /// Clocks in which the coefficients of a cell were formed.
-  struct Forming {
-    cores::Signal signal;
-    std::deque<cores::Lane::Span> spans{};
-  };
-
   void clock();
-  void look_at_former(std::uint64_t clock);
   void check(const Beat& result);
 
   RunningCore& core_;
@@ -81,7 +72,6 @@ class Inside {
   SignalTable signals_;
   ScheduleProbes probes_;
   PortRecorder recorder_;
-  std::optional<Forming> forming_;  // where a core keeps a cell
   std::vector<Light> lights_;
   Traffic traffic_;
   std::size_t next_ = 0;  ///< command

@@ -22,10 +22,7 @@ std::string formula_of(const Configuration& row) {
   if (text.find("start") != std::string::npos) {
     text += fmt::format(", start = {}", row.evaluator == std::string("iterative") ? 3 : 1);
   }
-  if (walks(row)) return fmt::format("{} in any order, 1 along rows", text);
-  if (!keeps_cell(row)) return text;
-  return fmt::format("{} within a cell, {} = {} at the next", text, organization.formed_text,
-                     scattered_interval(row));
+  return walks(row) ? fmt::format("{} in any order, 1 along rows", text) : text;
 }
 
 }  // namespace hwffd::web

@@ -10,7 +10,7 @@ namespace hwffd::web {
 std::string title_of(const Configuration& row);
 
 /// The clocks between its vertices as the table of organizations says them, with the terms' values:
-/// "64 * start, start = 1"; where a cell is kept, those at the next cell, too.
+/// "64 * start, start = 1".
 std::string formula_of(const Configuration& row);
 
 }  // namespace hwffd::web

@@ -77,7 +77,6 @@ struct CoreWaits {
   std::uint32_t input = 0;      ///< the core for a beat, during a run
   std::uint32_t memory = 0;     ///< coefficients or a lattice, for what they overwrite
   std::uint32_t evaluator = 0;  ///< a vertex, for room in the evaluator
-  std::uint32_t forming = 0;    ///< vertices, for the coefficients of their cell (`nested`)
   std::uint32_t read = 0;       ///< a read burst for its data
   std::uint32_t write = 0;      ///< a burst of results for its response
 };

@@ -206,7 +206,6 @@ CoreWaits Driver::waits() {
   waits.input = port_.read32(HWFFD_WAIT_INPUT_OFFSET);
   waits.memory = port_.read32(HWFFD_WAIT_MEMORY_OFFSET);
   waits.evaluator = port_.read32(HWFFD_WAIT_EVALUATOR_OFFSET);
-  waits.forming = port_.read32(HWFFD_WAIT_FORMING_OFFSET);
   waits.read = port_.read32(HWFFD_WAIT_READ_OFFSET);
   waits.write = port_.read32(HWFFD_WAIT_WRITE_OFFSET);
   return waits;

@@ -14,9 +14,6 @@ ClockTerms terms_of(const Configuration& row) {
   terms.poly = fused ? 3 : 6;
   terms.add = fused ? 0 : 1;
   terms.start = std::string(row.evaluator) == "iterative" ? 3 : 1;
-  terms.read = 2;
-  const int sum = fused ? row.fma_latency + row.add_latency : 2 * row.add_latency;
-  terms.contract = row.mul_latency + sum + row.convert_latency;
   return terms;
 }
 
@@ -28,8 +25,6 @@ std::optional<double> clocks(const Configuration& row, Organization::Clocks form
 }  // namespace
 
 bool contracts(const Configuration& row) { return contracts(organization_of(row).form); }
-
-bool keeps_cell(const Configuration& row) { return organization_of(row).formed != nullptr; }
 
 int folds(const Configuration& row) { return organization_of(row).fold; }
 
@@ -55,10 +50,6 @@ double overlapped_interval(const Configuration& row) {
 
 double expected_interval(const Configuration& row) {
   return overlaps(row) ? overlapped_interval(row) : paper_clocks(row).value();
-}
-
-double scattered_interval(const Configuration& row) {
-  return clocks(row, organization_of(row).formed).value_or(expected_interval(row));
 }
 
 }  // namespace hwffd

@@ -52,7 +52,7 @@ std::unique_ptr<cores::AxiCore> sleepy(std::uint64_t seed, double share, std::ui
   return std::make_unique<SleepyCore<VDut>>(seed, share, stopped, rule);
 }
 
-const Configuration& nested() { return find_configuration("nested-fx18-overlapped"); }
+const Configuration& sleepy_row() { return find_configuration("basic-fx18-overlapped"); }
 
 class AxiSleep : public ::testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(, AxiSleep, ::testing::Values("always", "mixed", "sparse"), by_name);
@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(, AxiSleep, ::testing::Values("always", "mixed", "spars
 TEST_P(AxiSleep, LosesNothing) {
   std::uint64_t stopped = 0;
   for (const double share : {1.0, 0.9, 0.3}) {
-    AxiRun run(nested(), sleepy<Vaxi_waits>(1, share, stopped), 1, GetParam());
+    AxiRun run(sleepy_row(), sleepy<Vaxi_waits>(1, share, stopped), 1, GetParam());
     run.send_bspline();
     for (int repeat = 0; repeat < 3; ++repeat) {
       run.send(random_packets(run.codec(), run.random(), 12));
@@ -86,7 +86,7 @@ TEST(AxiSleeps, CountsAreThoseOfAClockThatRuns) {
   CoreWaits waits[2];
   for (const bool sleeps : {false, true}) {
     std::uint64_t stopped = 0;
-    AxiRun run(nested(), sleepy<Vaxi_waits>(3, sleeps ? 1 : 0, stopped), 3);
+    AxiRun run(sleepy_row(), sleepy<Vaxi_waits>(3, sleeps ? 1 : 0, stopped), 3);
     run.send_scene(40, 6);
     ASSERT_TRUE(run.go());
     run.system().run(500);

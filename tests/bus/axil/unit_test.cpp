@@ -214,8 +214,8 @@ TEST(Waits, AreCountedAndWrap) {
   tb::Sim<Vbus_waits> sim(1);
   tb::Random random(2);
   auto& dut = sim.dut();
-  std::array<std::uint8_t, 6> counts{};
-  std::array<std::uint64_t, 6> all{};
+  std::array<std::uint8_t, 5> counts{};
+  std::array<std::uint64_t, 5> all{};
   unsigned reads = 0, writes = 0;
   dut.rst = 1;
   dut.open_rst_i = dut.clear_i = 0;
@@ -231,16 +231,15 @@ TEST(Waits, AreCountedAndWrap) {
   };
   for (int part = 0; part < 40; ++part) {
     for (int i = 0; i < 400; ++i) {
-      dut.core_i = random.word() & 0xF;
+      dut.core_i = random.word() & 7;
       dut.read_begins_i = reads < 6 && random.chance(0.3);
       dut.read_beat_i = reads > 0 && random.chance(0.5);
       dut.read_ends_i = dut.read_beat_i && random.chance(0.4);
       dut.write_begins_i = writes < 6 && random.chance(0.45);
       dut.write_ends_i = writes > 0 && random.chance(0.4);
-      const bool now[] = {(dut.core_i & 1) != 0,         (dut.core_i & 2) != 0,
-                          (dut.core_i & 4) != 0,         (dut.core_i & 8) != 0,
+      const bool now[] = {(dut.core_i & 1) != 0, (dut.core_i & 2) != 0, (dut.core_i & 4) != 0,
                           reads > 0 && !dut.read_beat_i, writes > 0 && !dut.write_ends_i};
-      for (unsigned k = 0; k < 6; ++k) {
+      for (unsigned k = 0; k < 5; ++k) {
         counts[k] = static_cast<std::uint8_t>(counts[k] + (now[k] ? 1 : 0));
         all[k] += now[k] ? 1 : 0;
       }
@@ -249,13 +248,13 @@ TEST(Waits, AreCountedAndWrap) {
       sim.tick();
     }
     settle();
-    for (unsigned k = 0; k < 6; ++k) EXPECT_EQ(dut.counts_o[k], counts[k]) << part << " " << k;
+    for (unsigned k = 0; k < 5; ++k) EXPECT_EQ(dut.counts_o[k], counts[k]) << part << " " << k;
     if (part % 3 != 2) continue;
     dut.clear_i = 1;
     sim.tick();
     dut.clear_i = 0;
     counts = {};
-    for (unsigned k = 0; k < 6; ++k) EXPECT_EQ(dut.counts_o[k], 0U);
+    for (unsigned k = 0; k < 5; ++k) EXPECT_EQ(dut.counts_o[k], 0U);
   }
   for (const std::uint64_t count : all) EXPECT_GT(count, 1000U);
 }

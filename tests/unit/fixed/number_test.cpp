@@ -55,7 +55,7 @@ auto value_of(const Number& number) -> decltype(void(number.special), Value()) {
 }
 
 template <class F>
-Results<F> model_results(const Operands& o) {
+Results model_results(const Operands& o) {
   constexpr int W = kWidth<F>;
   const auto a = number_of<typename F::Weight>(o.a), b = number_of<typename F::Weight>(o.b);
   const auto c = number_of<typename F::Weight>(o.c);
@@ -65,22 +65,16 @@ Results<F> model_results(const Operands& o) {
   const auto number = [](const auto& n) { return packed(value_of(n), W); };
   const auto sum = [](const auto& s) { return packed(value_of(s), 2 * W + 6); };
   const OutWord out = F::out(sum_a, o.exponent);
-  Results<F> results{number(F::coordinate(o.word)),
-                     number(F::coefficient(o.word)),
-                     number(F::point(o.word, o.exponent)),
-                     number(F::mul(a, b)),
-                     sum(F::term(a, factor)),
-                     number(F::step(c, a, b)),
-                     number(F::scale(a, o.shift)),
-                     sum(F::add(sum_a, sum_b)),
-                     number(F::narrow(sum_a)),
-                     packed_out(out.word, out.saturated, out.nan)};
-  if constexpr (!kBlock<F>) {
-    results[10] = number(F::rescale(sum_a, o.rescale));
-    results[11] = number(F::centre(F::coordinate(o.word)));
-    results[12] = sum(F::widen(factor, o.widen));
-  }
-  return results;
+  return {number(F::coordinate(o.word)),
+          number(F::coefficient(o.word)),
+          number(F::point(o.word, o.exponent)),
+          number(F::mul(a, b)),
+          sum(F::term(a, factor)),
+          number(F::step(c, a, b)),
+          number(F::scale(a, o.shift)),
+          sum(F::add(sum_a, sum_b)),
+          number(F::narrow(sum_a)),
+          packed_out(out.word, out.saturated, out.nan)};
 }
 
 // ---- RTL
@@ -90,10 +84,10 @@ template <class Format, class Dut, int kMul, int kAdd, int kEnd>
 class Units {
  public:
   using F = Format;
-  static constexpr std::size_t kCount = kUnits<F>;
+  static constexpr std::size_t kCount = kUnits;
 
   void apply(const Operands& o) {
-    const Results<F> exact = exact_results<F>(o), model = model_results<F>(o);
+    const Results exact = exact_results<F>(o), model = model_results<F>(o);
     for (std::size_t unit = 0; unit < kCount; ++unit) {
       ASSERT_TRUE(exact[unit] == model[unit])
           << "model, unit " << unit << ": got " << hex(model[unit]) << ", expected "
@@ -108,8 +102,8 @@ class Units {
   std::uint64_t compared() const { return compared_; }
 
  private:
-  static constexpr std::array<int, 13> kLatencies = {
-      0, 0, 0, kMul, kMul, kMul + kAdd, kEnd, kAdd, kEnd, kEnd, kEnd, kAdd, 0};
+  static constexpr std::array<int, kCount> kLatencies = {0,           0,    0,    kMul, kMul,
+                                                         kMul + kAdd, kEnd, kAdd, kEnd, kEnd};
 
   static void drive(Dut& dut, const Operands& o) {
     constexpr int W = kWidth<F>;
@@ -122,21 +116,21 @@ class Units {
     test::drive(dut.sum_a_i, packed(o.sum_a, 2 * W + 6));
     test::drive(dut.sum_b_i, packed(o.sum_b, 2 * W + 6));
     dut.shift_i = static_cast<CData>(o.shift);
-    dut.rescale_i = static_cast<CData>(o.rescale & 7);
-    dut.widen_i = static_cast<CData>(o.widen);
   }
-  static Results<F> results(const Dut& dut) {
-    return {
-        read(dut.coordinate_o), read(dut.coefficient_o),
-        read(dut.point_o),      read(dut.mul_o),
-        read(dut.term_o),       read(dut.step_o),
-        read(dut.scale_o),      read(dut.add_o),
-        read(dut.narrow_o),     packed_out(dut.out_o, dut.out_saturated_o != 0, dut.out_nan_o != 0),
-        read(dut.rescale_o),    read(dut.centre_o),
-        read(dut.widen_o)};
+  static Results results(const Dut& dut) {
+    return {read(dut.coordinate_o),
+            read(dut.coefficient_o),
+            read(dut.point_o),
+            read(dut.mul_o),
+            read(dut.term_o),
+            read(dut.step_o),
+            read(dut.scale_o),
+            read(dut.add_o),
+            read(dut.narrow_o),
+            packed_out(dut.out_o, dut.out_saturated_o != 0, dut.out_nan_o != 0)};
   }
   void compare(const Operands& o) {
-    const Results<F> got = results(sim_.dut());
+    const Results got = results(sim_.dut());
     for (std::size_t unit = 0; unit < kCount; ++unit) {
       auto& expected = expected_[unit];
       if (expected.size() <= static_cast<std::size_t>(kLatencies[unit])) continue;
@@ -214,8 +208,6 @@ Operands random_operands(tb::Random& random) {
   o.sum_a = sum();
   o.sum_b = sum();
   o.shift = static_cast<int>(random.below(4));
-  o.widen = static_cast<int>(random.below(3));
-  o.rescale = static_cast<int>(random.below(5)) - 1;
   return o;
 }
 

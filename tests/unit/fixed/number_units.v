@@ -20,8 +20,6 @@ module number_units #(
   input  wire [`FFD_WEIGHT_W(FORMAT)-1:0]  c_i,
   input  wire [`FFD_POINT_W(FORMAT)-1:0]   factor_i,
   input  wire [1:0]                        shift_i,
-  input  wire signed [2:0]                 rescale_i,
-  input  wire [1:0]                        widen_i,
   output wire [`FFD_WEIGHT_W(FORMAT)-1:0]  mul_o,
   output wire [`FFD_SUM_W(FORMAT)-1:0]     term_o,
   output wire [`FFD_WEIGHT_W(FORMAT)-1:0]  step_o,
@@ -30,9 +28,6 @@ module number_units #(
   input  wire [`FFD_SUM_W(FORMAT)-1:0]     sum_b_i,
   output wire [`FFD_SUM_W(FORMAT)-1:0]     add_o,
   output wire [`FFD_POINT_W(FORMAT)-1:0]   narrow_o,
-  output wire [`FFD_POINT_W(FORMAT)-1:0]   rescale_o,
-  output wire [`FFD_WEIGHT_W(FORMAT)-1:0]  centre_o,
-  output wire [`FFD_SUM_W(FORMAT)-1:0]     widen_o,
   output wire [31:0]                       out_o,
   output wire                              out_saturated_o,
   output wire                              out_nan_o
@@ -121,30 +116,6 @@ module number_units #(
     .clk    (clk),
     .sum_i  (sum_a_i),
     .point_o(narrow_o)
-  );
-  ffd_num_rescale #(
-    .FORMAT (FORMAT),
-    .LATENCY(CONVERT_LATENCY)
-  ) u_rescale (
-    .clk    (clk),
-    .sum_i  (sum_a_i),
-    .shift_i(rescale_i),
-    .point_o(rescale_o)
-  );
-  ffd_num_centre #(
-    .FORMAT (FORMAT),
-    .LATENCY(ADD_LATENCY)
-  ) u_centre (
-    .clk         (clk),
-    .coordinate_i(coordinate_o),
-    .centred_o   (centre_o)
-  );
-  ffd_num_widen #(
-    .FORMAT(FORMAT)
-  ) u_widen (
-    .point_i(factor_i),
-    .shift_i(widen_i),
-    .sum_o  (widen_o)
   );
   ffd_num_out #(
     .FORMAT (FORMAT),

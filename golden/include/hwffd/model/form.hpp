@@ -9,7 +9,6 @@ enum class Form {
   kProduct,   ///< the sum of ((B_l B_m) B_n) P
   kFactored,  ///< one axis after the other
   kAffine,    ///< the same, of functions that sum to one, by differences of points
-  kNested,    ///< a polynomial of the cell, formed when its first vertex comes
 };
 
 /// Whether it takes one axis after the other.

@@ -9,12 +9,10 @@ namespace hwffd {
 
 /// What the formulas of rtl/organizations.csv name, in clocks but for `n`.
 struct ClockTerms {
-  double n;         ///< control points a step
-  double poly;      ///< of a polynomial in the paper's unit times: 6, with fused units 3
-  double add;       ///< of an addition behind a multiplication in these: 1, with fused units 0
-  double start;     ///< between polynomials of one evaluator when steps overlap: 1, iterative 3
-  double read;      ///< from a read to its points
-  double contract;  ///< of a sum of four products, narrowed
+  double n;      ///< control points a step
+  double poly;   ///< of a polynomial in the paper's unit times: 6, with fused units 3
+  double add;    ///< of an addition behind a multiplication in these: 1, with fused units 0
+  double start;  ///< between polynomials of one evaluator when steps overlap: 1, iterative 3
 };
 
 /// One row of rtl/organizations.csv. A formula may be missing: a null pointer.
@@ -33,12 +31,8 @@ struct Organization {
   bool pairs;         ///< whether two of them that are neighbours in a cell are taken at once
   Clocks paper;       ///< of a vertex at the paper's schedule
   Clocks last;        ///< of the last accumulation, which that formula does not count
-  Clocks overlapped;  ///< between vertices when steps overlap; of one cell, if it keeps one
-  Clocks formed;      ///< between vertices of different cells, if it keeps one
-  double seam_float;  ///< units that cells may differ at seams (`seam_bound`), in binary32
-  double seam_fixed;  ///< the same in other formats
+  Clocks overlapped;  ///< between vertices when steps overlap
   const char* overlapped_text;  ///< that formula as the table has it
-  const char* formed_text;      ///< the same; empty where there is none
 };
 
 /// Every row of the table, in its order.

@@ -11,9 +11,6 @@ namespace hwffd {
 /// Whether an organization contracts one axis at a time.
 bool contracts(const Configuration& row);
 
-/// Whether an organization works from coefficients of a cell, formed when its first vertex comes.
-bool keeps_cell(const Configuration& row);
-
 /// How often the units of an organization are used for one vertex.
 int folds(const Configuration& row);
 
@@ -39,16 +36,11 @@ std::optional<double> paper_clocks(const Configuration& row);
 /// under the next vertex. Nothing where that has nothing.
 std::optional<double> last_accumulation(const Configuration& row);
 
-/// Clocks between vertices when steps overlap; where an organization keeps a cell, between those of
-/// one.
+/// Clocks between vertices when steps overlap.
 double overlapped_interval(const Configuration& row);
 
 /// Clocks between vertices at the row's own schedule. Throws std::bad_optional_access where that is
 /// the paper's and the organization is not.
 double expected_interval(const Configuration& row);
-
-/// The same between vertices each of which lies in another cell than the one before: longer where
-/// an organization keeps a cell, by forming the next one's coefficients.
-double scattered_interval(const Configuration& row);
 
 }  // namespace hwffd

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "hwffd/numerics/binomial.hpp"
 #include "hwffd/numerics/bits.hpp"
 #include "hwffd/numerics/out_word.hpp"
 
@@ -42,13 +41,6 @@ struct Binary32 {
     return add(mul(coordinate, weight), coefficient);
   }
   static Point narrow(Sum sum, int /*shift*/ = 0) { return sum; }
-  static Point rescale(Sum sum, int /*shift*/) { return sum; }
-  static Weight centre(Weight coordinate) { return add(2 * coordinate, -1.0F); }
-  /// binom(power, k) / 2^power; power and k 0 to 3.
-  static Weight binomial(int power, int k) {
-    return static_cast<float>(kBinomial[power][k]) / static_cast<float>(1 << power);
-  }
-  static Sum widen(Point point, int /*shift*/) { return point; }
   static Sum product(Point a, Point b) { return term(a, b); }
   static Sum negate(Sum sum) { return -sum; }
   static Weight scale(Weight weight, int /*shift*/) { return weight; }

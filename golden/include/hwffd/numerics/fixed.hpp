@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "hwffd/numerics/binomial.hpp"
 #include "hwffd/numerics/lanes.hpp"
 #include "hwffd/numerics/out_word.hpp"
 
@@ -95,26 +94,6 @@ struct Fixed {
     return with_flag(
         round_to(static_cast<Wide>(sum.value), kSumFraction - kPointFraction + shift, W),
         sum.saturated);
-  }
-  /// A sum times 2^shift, shift -1 to 3, as a point.
-  static Point rescale(Sum sum, int shift) {
-    const Wide doubled = static_cast<Wide>(sum.value) * (std::int64_t{1} << (shift + 1));
-    return with_flag(round_to(doubled, kSumFraction - kPointFraction + 1, W), sum.saturated);
-  }
-  /// 2 x - 1 of a coordinate in [0, 1], exact.
-  static Weight centre(Weight coordinate) {
-    return {2 * coordinate.value - (std::int64_t{1} << kWeightFraction), coordinate.saturated};
-  }
-  /// binom(power, k) / 2^power, exact; power and k 0 to 3.
-  static Weight binomial(int power, int k) {
-    return {everywhere<Word>((std::int64_t{kBinomial[power][k]} << kWeightFraction) >> power),
-            Flag{}};
-  }
-  /// A point times 2^shift, shift 0 to 2, as a sum, exact.
-  static Sum widen(Point point, int shift) {
-    constexpr int kPlaces = kSumFraction - kPointFraction;
-    return {static_cast<SumWord>(point.value) * (std::int64_t{1} << (kPlaces + shift)),
-            point.saturated};
   }
   /// Twice the product, exact: one point's digits as a weight.
   static Sum product(Point a, Point b) { return term(a, b); }

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -49,22 +47,17 @@ struct SeamStimulus : EvaluatorStimulus {
 
   struct Differences {
     std::size_t values = 0, count = 0;  ///< components compared, and those that differ
-    double largest = 0;
   };
   /// How components differ from those of the group's first vertex: `words(v, r)` are the words of
   /// result r of vertex v, which has `each` of them.
   template <class Words>
-  Differences differences(const WordCodec& codec, std::size_t each, Words words) const {
+  Differences differences(std::size_t each, Words words) const {
     Differences result;
     for (std::size_t v = 0, first = 0; v < vertices.size(); ++v) {
       if (group[v] != group[first]) first = v;
       for (std::size_t r = 0; r < each; ++r) {
         for (int c = 0; c < 3; ++c, ++result.values) {
-          const std::uint32_t own = words(v, r)[c], other = words(first, r)[c];
-          if (own == other) continue;
-          ++result.count;
-          const double apart = codec.decode_point(own) - codec.decode_point(other);
-          result.largest = std::max(result.largest, std::abs(apart));
+          result.count += words(v, r)[c] != words(first, r)[c] ? 1 : 0;
         }
       }
     }

@@ -30,7 +30,7 @@ class ScheduleRecorder {
   /// The one behind it, of a combination generator; null if there is none.
   const Sequencer* combinations() const;
   /// Weights of a step arrive at the multiplier; where axes are contracted, its points are asked
-  /// for; where a cell is kept, its coordinates come.
+  /// for.
   const std::vector<std::uint64_t>& steps() const { return steps_; }
   /// The support that each step reads; where steps read none, a number of its vertex.
   const std::vector<std::uint8_t>& sources() const { return sources_; }
