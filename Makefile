@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim web hwffd glapi plates mass-spring soc synth synth-check synth-baseline structure boards pnr docs test test-all fuzz random lint clean
+.PHONY: help sim web hwffd glapi plates mass-spring soc synth synth-check synth-baseline structure boards pnr docs test test-all test-synth fuzz random lint clean
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing =
@@ -47,6 +47,7 @@ help:
 	@echo 'Check it'
 	@echo '  make test           build the tests and run them'
 	@echo '  make test-all       every configuration, and the long tests'
+	@echo '  make test-synth     what yosys makes of the RTL: the scripts of synthesis, a netlist in simulation'
 	@echo '  make fuzz           readers of files on broken input, under sanitizers'
 	@echo '  make lint           Verilator, Icarus, yosys, clang, ruff and text rules: no warning is allowed'
 	@echo '  make random         N= cores of random parameters on random packets, from SEED= on'
@@ -177,7 +178,13 @@ test-all:
 	$(INSTALL) test-all
 	$(CONFIGURE)
 	$(COMPILE)
-	@$(call run_tests,tests) -L '^(test|all|fuzz)$$'
+	@$(call run_tests,tests) -L '^(test|all|synth|fuzz)$$'
+
+test-synth:
+	$(INSTALL) test-synth
+	$(CONFIGURE)
+	$(COMPILE) --target hwffd_test_synth
+	@$(call run_tests,synth) -L '^synth$$'
 
 # Not beside the tests: readers are compiled a second time, for the sanitizers.
 fuzz:

@@ -5,7 +5,7 @@
 // it is told to flatten all the same; Vivado takes that too, and dont_touch of the register;
 // Quartus takes preserve and dont_merge, Synplify and what follows it syn_preserve. Others have to
 // be told by their scripts, and a netlist is to be looked at: three registers for each bit of a
-// ffd_hard_triple (lint.copies does so with yosys).
+// ffd_hard_triple (synth.copies does so with yosys).
 //
 // Pipeline:   1 register, never frozen.  Reset: none; whoever needs one has it in d_i.
 // Parameters: WIDTH >= 1.

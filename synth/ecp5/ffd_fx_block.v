@@ -4,7 +4,7 @@
 // front of the multiplier, the one behind it, and of two behind it the first are those of the block;
 // others are flip-flops. A product wider than a block is left to the synthesis.
 //
-// Formats, pipeline, parameters: as there; equal to it for all operands (tests/lint/test_blocks.py).
+// Formats, pipeline, parameters: as there; equal to it for all operands (tests/synth/test_blocks.py).
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 

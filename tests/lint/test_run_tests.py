@@ -36,7 +36,7 @@ WHOLE = ("theorems.small", "notrun", "skipped: packages are missing in build/ven
 IN_PYTEST = ("energy.power", "run", "SKIPPED [2] tests/x.py:178: no iverilog\n3 passed, 2 skipped in 1 s")
 IN_UNITTEST = ("hwffd.install", "run", "test_a (x.Programs.test_a) ... skipped 'no models of glmark2'\nOK (skipped=1)")
 BROWSER = ("web.page", "notrun", "skipped: chromium is not there: tools/install web")
-ROUTE = ("lint.constraints", "run", "SKIPPED [1] tests/lint/test_constraints.py:112: no nextpnr-ecp5: run tools/install route")
+ROUTE = ("synth.constraints", "run", "SKIPPED [1] tests/synth/test_constraints.py:112: no nextpnr-ecp5: run tools/install route")
 SENSELESS = ("axi.Axi.A/fx18", "notrun", "[ RUN      ] Axi.A\n/x/a_test.cpp:95: Skipped\nits evaluator is slower\n\n[  SKIPPED ] Axi.A")
 NO_MESH = ("geometry.Mesh.A", "notrun", "/x/a_test.cpp:95: Skipped\npackage glmark2-data is not installed\n[  SKIPPED ] Mesh.A")
 

@@ -22,7 +22,7 @@ import xml.etree.ElementTree
 from tools.reports import tests_tables
 
 # Tests that want more than `make test` installs, and the command that installs it and runs them.
-ALLOWED = {r"web\..*": "make web", r"lint\.constraints": "make pnr", r"soc\..*": "make soc"}
+ALLOWED = {r"web\..*": "make web", r"synth\.constraints": "make pnr", r"soc\..*": "make soc"}
 _CLOSING = re.compile(r"^\d+% tests passed")
 _SKIPPED = re.compile(r"^(?:SKIPPED \[(?P<count>\d+)\] \S+ (?P<reason>.*)|(?:\S+ \(.*\)|.*) \.\.\. skipped '(?P<why>.*)'"
                       r"|skipped: (?P<whole>.*))$", re.MULTILINE)

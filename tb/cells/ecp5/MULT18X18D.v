@@ -7,7 +7,7 @@
 //
 // Pipeline:   0 to 3 registers, as the parameters say.
 // Not checked: SOURCEA and SOURCEB, which are 0 (factors from the pins), CE and RST (1 and 0).
-// Test:       the tests netlist.ecp5.* (tests/system), tests/lint/test_blocks.py.
+// Test:       the tests netlist.ecp5.* (tests/system), tests/synth/test_blocks.py.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
