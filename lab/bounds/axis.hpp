@@ -7,7 +7,6 @@
 #include <string>
 
 #include "hwffd/bounds/axis_error.hpp"
-#include "hwffd/model/org_nested.hpp"
 #include "hwffd/model/org_powers.hpp"
 #include "hwffd/numerics/binary32.hpp"
 #include "hwffd/numerics/block.hpp"
@@ -183,46 +182,6 @@ inline Four completed(Four weights, int left, double sum) {
   weights[left] = sum - (weights[0] + weights[1] + weights[2] + weights[3]);
   return weights;
 }
-
-/// The weights that `nested` would have if it rounded nothing but the matrix of each axis.
-template <class F>
-class Centred {
- public:
-  static constexpr double kSum = 1;
-  explicit Centred(const Horner<F>& horner) : horner_(horner) {
-    // One control point at a time through one axis: the other two are constant.
-    const AxisWords constant = encode(family("constant", WordCodec("fx18")), WordCodec("fx18"));
-    model::CoefficientBank<F> bank;
-    for (int l = 0; l < 4; ++l) {
-      bank.entry[0][l] = horner.bank().entry[0][l];
-      for (int axis = 1; axis < 3; ++axis) {
-        bank.load(axis, l, constant.degree, constant.shift, constant.word[l]);
-      }
-    }
-    for (int l = 0; l < 4; ++l) {
-      model::Support<F> support{};
-      support[16 * l][0].value = std::int64_t{1} << (F::kPointFraction - 1);  // 1/2
-      const auto cell = model::OrgNested<F>::form({0, 0, 0}, support, bank);
-      for (int k = 0; k < 4; ++k) {
-        matrix_[k][l] =
-            2 * std::ldexp(static_cast<double>(cell.vector[16 * k][0].value), -F::kPointFraction);
-      }
-    }
-  }
-  Four operator()(typename F::Weight x) const {
-    const double c = 2 * Coordinates<F>::number(x) - 1;
-    Four weights{};
-    for (int l = 0; l < 4; ++l) {
-      weights[l] = matrix_[0][l] + c * (matrix_[1][l] + c * (matrix_[2][l] + c * matrix_[3][l]));
-    }
-    return weights;
-  }
-  Four exact(double x) const { return horner_.exact(x); }
-
- private:
-  Horner<F> horner_;
-  std::array<Four, 4> matrix_{};
-};
 
 template <class F, class Weights>
 AxisPoint axis_point(const Weights& weights, std::uint32_t word) {

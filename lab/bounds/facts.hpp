@@ -9,7 +9,7 @@ namespace hwffd::certified {
 
 /// What was found of the weights of an axis in a format.
 struct WeightsFact {
-  std::string weights;  ///< a family by Horner's rule, "powers", "affine", "centred"
+  std::string weights;  ///< a family by Horner's rule, "powers", "affine"
   std::string format;
   double weight = 0;       ///< the largest |w_l - B_l| found
   std::uint32_t word = 0;  ///< at this coordinate

@@ -132,10 +132,6 @@ Witness climb(const std::string& format, const Triple& triple, const Weight& wei
   return climbing.best();
 }
 
-double plain_weight(const Triple& t, int l, int m, int n) {
-  return t[0].point.weight[l] * t[1].point.weight[m] * t[2].point.weight[n];
-}
-
 template <class F>
 class FixedFacts {
  public:
@@ -150,9 +146,9 @@ class FixedFacts {
     if (!wanted("format", name_)) return;
     if constexpr (F::kWeightFraction + 2 < kLeastComposed) {
       if (!wanted("form", "scatter")) return;
-      axis("affine", horner_, kAnyLeft, true);
+      axis("affine", horner_, kAnyLeft);
       scatter_affine();
-      axis("powers", Powers<F>(), {kNone}, true);
+      axis("powers", Powers<F>(), {kNone});
       scatter_powers();
     } else {
       run_composed();
@@ -168,7 +164,7 @@ class FixedFacts {
   void run_composed() {
     const bool contracts = wanted("form", "factored");
     if (contracts || wanted("form", "product")) {
-      axis("bspline", horner_, {kNone}, true);
+      axis("bspline", horner_, {kNone});
       if (contracts) add<model::OrgFactored>("factored");
       if (wanted("form", "product")) {
         if (kFew) facts_.weights.back().pair = largest_pair(candidates_, F::kWeightFraction);
@@ -179,7 +175,7 @@ class FixedFacts {
       constexpr bool kScatters = F::kWeightFraction + 2 <= model::kScatterMostWidth;
       const bool scatters = kScatters && wanted("form", "scatter");
       if (wanted("form", "affine") || scatters) {
-        axis("affine", horner_, kAnyLeft, true);
+        axis("affine", horner_, kAnyLeft);
         if (wanted("form", "affine")) add<model::OrgAffine>("affine");
         if constexpr (kScatters) {
           if (scatters) scatter_affine();
@@ -187,13 +183,12 @@ class FixedFacts {
       }
       const bool powers = wanted("form", "powers") && name_ != "fx16";
       if (powers || scatters) {
-        axis("powers", Powers<F>(), {kNone}, true);
+        axis("powers", Powers<F>(), {kNone});
         if (powers) add<model::OrgPowers>("powers");
         if constexpr (kScatters) {
           if (scatters) scatter_powers();
         }
       }
-      if (wanted("form", "nested")) nested();
     }
     families();
   }
@@ -207,10 +202,8 @@ class FixedFacts {
 
   /// Every coordinate, all triples of them, and which of them to try.
   template <class Weights>
-  void axis(const std::string& what, const Weights& weights, const std::vector<int>& lefts,
-            bool triples) {
-    Looked looked =
-        look(what, weights, lefts, triples && stride() == 1 && !std::is_same_v<F, Block32>);
+  void axis(const std::string& what, const Weights& weights, const std::vector<int>& lefts) {
+    Looked looked = look(what, weights, lefts, stride() == 1 && !std::is_same_v<F, Block32>);
     candidates_ = std::move(looked.candidates);
     if (!looked.boxes.empty()) {
       put(looked.fact, bound_triples(std::move(looked.boxes), kTolerance));
@@ -263,8 +256,10 @@ class FixedFacts {
   void add(const std::string& form) {
     auto engine = seeded(name_ + form);
     const Triple triple = farthest(alike(candidates_), engine);
-    const Witness witness =
-        climb<F, Organization>(name_, triple, plain_weight, effort_.steps, engine);
+    const auto weight = [](const Triple& t, int l, int m, int n) {
+      return t[0].point.weight[l] * t[1].point.weight[m] * t[2].point.weight[n];
+    };
+    const Witness witness = climb<F, Organization>(name_, triple, weight, effort_.steps, engine);
     facts_.forms.push_back({form, name_, witness});
   }
 
@@ -359,36 +354,6 @@ class FixedFacts {
       }
     }
     return best;
-  }
-
-  /// Its roundings count most where powers of the centred coordinates are near 1.
-  void nested() {
-    axis("centred", Centred<F>(horner_), {kNone}, false);
-    auto engine = seeded(name_ + "nested");
-    const WordCodec codec(name_);
-    const Centred<F> centred(horner_);
-    Witness best;
-    Triple chosen;
-    const auto at = [&](const Triple& triple, std::int64_t steps) {
-      const Witness witness =
-          climb<F, model::OrgNested>(name_, triple, plain_weight, steps, engine);
-      if (witness.error > best.error) {
-        best = witness;
-        chosen = triple;
-      }
-    };
-    for (int start = 0; start < 40; ++start) {
-      Triple triple;
-      for (Candidate& axis : triple) {
-        const double near = std::ldexp(1 + static_cast<double>(engine() >> 11) * 0x1p-53,
-                                       -4 - static_cast<int>(engine() % 8));
-        axis.point = axis_point<F>(centred, codec.coordinate(engine() % 2 == 0 ? near : 1 - near));
-      }
-      at(triple, effort_.steps / 50);
-    }
-    const Triple last = chosen;
-    at(last, effort_.steps);
-    facts_.forms.push_back({"nested", name_, best});
   }
 
   /// Weights alone, of the families whose functions are not those of the composed forms.

@@ -1,8 +1,8 @@
 """Composed bounds as Gappa scripts, and the theorem that each of them ends in.
 
 A script takes what is known of the weights of an axis (`e`), of those of a derivative (`d`), of the
-products of three axes (`a`) or of two (`r`), and bounds the formula that coq/Fixed.v, Nested.v, Float.v
-and Scatter.v prove of a form.
+products of three axes (`a`) or of two (`r`), and bounds the formula that coq/Fixed.v, Float.v and
+Scatter.v prove of a form.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -31,13 +31,12 @@ FORMULAS = {
     "product": ("q + (1 + q)*given + last", ("e", "a")),
     "product by pairs": ("q + (1 + q)*given + last", ("e", "r")),
     **{form: scattered(along) for form, (along, _) in SCATTERS.items()},
-    "nested": ("a + given*(g*g*g) + half*(4*g*g + 16*g + 64 + 48 + 12 + 3) + last", ("e", "a")),
 }
 DISTANCES = {"product": "a + 16*unit2*g + 64*unit2", "product by pairs": "64*unit2 + r*g + e"}
 ORDERS = {"sequence": (False, 65, 128), "tree": (True, 7, 127)}
 FUSED_ORDERS = {"sequence": (False, 64, 64), "tree": (True, 7, 95)}
 # Of a form of fixed point the weights that the search calls so; and all forms in the order of the report.
-WEIGHTS = {"product": "bspline", "factored": "bspline", "affine": "affine", "powers": "powers", "nested": "centred",
+WEIGHTS = {"product": "bspline", "factored": "bspline", "affine": "affine", "powers": "powers",
            **{form: of_form for form, (_, of_form) in SCATTERS.items()}}
 NAMES = (*WEIGHTS, *ORDERS)
 
@@ -73,15 +72,15 @@ class Roundings:
     last: Rounding
 
 
-def roundings(form, nested=False):
+def roundings(form):
     """Words of points and results have 31 digits: `fx32` takes points as they are, and a sum of up to
-    31 digits, or a point of `nested`, goes out as it is."""
+    31 digits goes out as it is."""
     width = form.width()
     point = Rounding(1 - width)
     if form.name == "bfp32":
         last = Rounding(None)  # rounded to binary32 afterwards
     else:
-        last = Rounding(None if nested or 2 * width - 3 <= 31 else -31)
+        last = Rounding(None if 2 * width - 3 <= 31 else -31)
     return Roundings(Rounding(2 - width), Rounding(None) if width == 32 else point, point, last)
 
 
@@ -134,7 +133,7 @@ def float_script(order, known, bound=None):
 
 
 QUANTIFIED = "forall (s t u bs bt bu : nat -> R) (P : nat -> nat -> nat -> R)"
-IMPORTS = "Require Import Sums Fixed Nested Float Programs Certified Scatter.\nOpen Scope R_scope.\n"
+IMPORTS = "Require Import Sums Fixed Float Programs Certified Scatter.\nOpen Scope R_scope.\n"
 NUMBERS = "numbers"
 
 
@@ -195,21 +194,6 @@ def fixed_theorem(form, rounds, known, bound):
         proof = f"  apply (rounded_at_last _ _ {bound.coq()}); [|exact Small|{NUMBERS}].\n" + proof
         bound = total
     return Theorem(tuple(premises), within(program, bound), f"  intros s t u bs bt bu P {names}.\n{proof}")
-
-
-def nested_theorem(rounds, known, bound):
-    e, a = known.axis.coq(), known.triple.coq()
-    point, narrow, last = rounds.point, rounds.narrow, rounds.last
-    weights = " ".join(f"(fun i => at_power {x} (fun k => {m} k i))"
-                       for x, m in (("x", "ms"), ("y", "mt"), ("z", "mu")))
-    proof = ("  intros ms mt mu x y z bs bt bu P X Y Z V.\n"
-             f"  apply (nested_certified {e} {a} {bound.coq()} {point.half_coq()} {narrow.half_coq()} "
-             f"{last.half_coq()} {point.coq()} {narrow.coq()} {last.coq()} ms mt mu x y z bs bt bu P\n"
-             f"    X Y Z V {point.proof()} {narrow.proof()} {last.proof()}).\n"
-             f"  {certificate_of([known.axis, known.triple])}.\n")
-    return Theorem(("Rabs x <= 1", "Rabs y <= 1", "Rabs z <= 1", f"vertex {e} {a} {weights} bs bt bu P"),
-                   within(f"nested_program ms mt mu x y z P {point.coq()} {narrow.coq()} {last.coq()}", bound),
-                   proof, "forall ms mt mu x y z bs bt bu P")
 
 
 def scatter_theorem(form, rounds, known, bound):

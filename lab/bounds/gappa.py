@@ -11,7 +11,7 @@ import shutil
 import subprocess
 
 THEORY = pathlib.Path(__file__).with_name("coq")
-MODULES = ("Sums", "Fixed", "Nested", "Float", "Programs", "Certified", "Scatter")
+MODULES = ("Sums", "Fixed", "Float", "Programs", "Certified", "Scatter")
 # What Coq's real numbers and classical logic rest on. A proof that rests on more is none.
 AXIOMS = {"sig_forall_dec", "sig_not_dec", "functional_extensionality_dep", "classic"}
 

@@ -152,13 +152,11 @@ def added(form):
 
 
 def fixed_row(name, form, known, witness, fact):
-    rounds = forms.roundings(form, name == "nested")
+    rounds = forms.roundings(form)
     formula = "product by pairs" if name == "product" and known.pair else name
     hypothesis = (PAIRS if formula != name else TRIPLES if fact["distance"] else COORDINATES)
 
     def theorem(bound):
-        if name == "nested":
-            return forms.nested_theorem(rounds, known, bound).text()
         if name in forms.SCATTERS:
             return forms.scatter_theorem(name, rounds, known, bound).text()
         return forms.fixed_theorem(formula if name == "product" else "factored", rounds, known, bound).text()

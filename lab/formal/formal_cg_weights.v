@@ -99,7 +99,6 @@ module formal_cg_weights #(
     .read_cell_o         (),
     .read_index_o        (),
     .read_points_i       (27'd0),
-    .forming_o           (),
     .result_valid_o      (combined),
     .result_sum_o        (combination),
     .result_jacobian_o   (),

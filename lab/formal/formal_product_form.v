@@ -48,7 +48,6 @@ module formal_product_form #(
   wire [5:0]        read_index;
   wire [N*3*9-1:0]  points;
   wire [N*3*9-1:0]  points_later;
-  wire              forming;
   wire              result;
   wire [68:0]       sum;
   wire [206:0]      jacobian;
@@ -119,7 +118,6 @@ module formal_product_form #(
     .read_cell_o         (read_cell), \
     .read_index_o        (read_index), \
     .read_points_i       (points_later), \
-    .forming_o           (forming), \
     .result_valid_o      (result), \
     .result_sum_o        (sum), \
     .result_jacobian_o   (jacobian), \

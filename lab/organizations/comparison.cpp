@@ -32,7 +32,7 @@ double simulated_vertices_per_s(const Configuration& row, std::uint64_t seed) {
   tb::EvaluatorBench bench(*core, *model, {bspline, bspline, bspline});
   for (std::size_t vertices = kFewest;; vertices *= 2) {
     const double before = bench.simulation_seconds();
-    bench.run(tb::random_stimulus(codec, vertices, seed, keeps_cell(row) ? vertices : 1));
+    bench.run(tb::random_stimulus(codec, vertices, seed));
     const double seconds = bench.simulation_seconds() - before;
     if (seconds >= kEnough) return static_cast<double>(vertices) / seconds;
   }
@@ -50,15 +50,12 @@ double cost(const Configuration& row) {
 }
 
 /// What of the effort a row gets: the rows of the paper's schedule and the iterative ones have the
-/// same bits as their partners and take ten times as long, so they get a tenth of the seams; so do
-/// those that form a cell's coefficients for each vertex of a seam, but only there they are slow.
+/// same bits as their partners and take ten times as long, so they get a tenth of the seams.
 Effort share_of(const Effort& effort, const Configuration& row) {
   constexpr double kSlow = 100;  // clocks a vertex
   Effort share = effort;
   if (!overlaps(row) || expected_interval(row) > kSlow) {
     share.vertices = std::min<std::size_t>(effort.vertices, 1241);
-  }
-  if (!overlaps(row) || scattered_interval(row) > kSlow) {
     share.seam_values = std::max<std::size_t>(effort.seam_values / 10, 1);
   }
   return share;

@@ -1,12 +1,10 @@
 #include "measure.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "hwffd/cores/evaluator_core_factory.hpp"
 #include "hwffd/model/schedule.hpp"
-#include "hwffd/model/seam_bound.hpp"
 #include "hwffd/numerics/largest_error.hpp"
 #include "hwffd/oracle/oracle.hpp"
 #include "hwffd/stream/blending.hpp"
@@ -17,7 +15,6 @@ namespace {
 
 constexpr std::size_t kRecorded = 8;  // vertices whose schedule is kept
 constexpr std::size_t kWarmUp = 40;   // results before the interval is counted
-constexpr std::size_t kInACell = 4;   // vertices of the error, where a cell is kept
 
 double largest_error(const tb::EvaluatorStimulus& stimulus,
                      const std::vector<cores::EvaluatorCore::Result>& results,
@@ -58,8 +55,7 @@ void compare_seams(const tb::SeamStimulus& seams,
   };
   const auto differences = seams.differences(each, words);
   measured.seam_values = differences.values;
-  measured.seam_differences += differences.count;
-  measured.seam_largest = std::max(measured.seam_largest, differences.largest / seam_unit(row));
+  measured.seam_differences = differences.count;
 }
 
 }  // namespace
@@ -83,24 +79,19 @@ Measurement measure(const Configuration& row, const Effort& effort) {
   const std::unique_ptr<model::EvaluatorModel> model = model::make_evaluator_model(row);
   const AxisWords bspline = encode(watertight_bspline(codec), codec);
   tb::EvaluatorBench bench(*core, *model, {bspline, bspline, bspline});
-  Measurement measured{0, 0, {}, 0, 0, {}, 0, 0, 0, tb::ScheduleRecorder(*core)};
-  const std::size_t together = keeps_cell(row) ? effort.vertices : 1;
+  Measurement measured{0, 0, {}, 0, 0, {}, 0, 0, tb::ScheduleRecorder(*core)};
 
-  auto random = tb::random_stimulus(codec, kRecorded, effort.seed, together);
+  auto random = tb::random_stimulus(codec, kRecorded, effort.seed);
   want_all(random, row);
   bench.run(random, tb::Throttle::always(), tb::Throttle::always(), &measured.schedule);
   if (!overlaps(row)) {
     measured.vertex = vertex_clocks(measured.schedule, kRecorded / 2);
   }
 
-  random = tb::random_stimulus(codec, effort.vertices, effort.seed + 1, together);
+  random = tb::random_stimulus(codec, effort.vertices, effort.seed + 1);
   want_all(random, row);
   bench.run(random);
   measured.interval = tb::mean_interval(bench.result_clocks(), kRecorded + kWarmUp, lanes(row));
-  if (keeps_cell(row)) {  // the error of a single cell says little
-    random = tb::random_stimulus(codec, effort.vertices, effort.seed + 1, kInACell);
-    bench.run(random);
-  }
   const auto last = static_cast<std::ptrdiff_t>(effort.vertices);
   measured.max_error =
       largest_error(random, {bench.results().end() - last, bench.results().end()}, codec);

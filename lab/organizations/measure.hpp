@@ -31,11 +31,10 @@ struct Measurement {
   std::uint64_t mismatches = 0;
   std::string first_mismatch;
   double max_error = 0;  ///< of a component, against eq. (1) in double; points in [-1, 1)
-  double interval = 0;   ///< clocks between results, within a cell where one is kept
+  double interval = 0;   ///< clocks between results
   VertexClocks vertex;   ///< of a vertex in a row of them
   std::size_t seam_values = 0;
   std::size_t seam_differences = 0;
-  double seam_largest = 0;        ///< of the differences, in units of seam_unit(row)
   tb::ScheduleRecorder schedule;  ///< of the first vertices, from a core at rest
 };
 

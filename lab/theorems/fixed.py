@@ -159,27 +159,11 @@ def narrow(unit, p):
     return [], _point_is(unit, p["FORMAT"], exact, given.all)
 
 
-def rescale(unit, p):
-    given, shift = total(unit.inputs["sum_i"], p["FORMAT"]), unit.inputs["shift_i"]
-    wide = given.value.width + 6
-    exact = half_up(given.value.sext(wide) << (shift.sext(wide) + 1), width(p["FORMAT"]) - 1)
-    return [shift.sext(8).sle(3), ~shift.sext(8).slt(-1)], _point_is(unit, p["FORMAT"], exact, given.all)
-
-
 def widen(unit, p):
     form, given = p["FORMAT"], weight(unit.inputs["point_i"], p["FORMAT"])
-    out, shift = total(unit.outputs["sum_o"], form), unit.inputs["shift_i"]
-    exact = (given.value.sext(out.value.width) << (width(form) - 2)) << shift.zext(out.value.width)
-    return [shift <= 2], every(out.value.eq(exact), out.all.eq(given.all))
-
-
-def centre(unit, p):
-    form, given = p["FORMAT"], weight(unit.inputs["coordinate_i"], p["FORMAT"])
-    one, wide = 1 << (width(form) - 2), width(form) + 2
-    exact = (given.value.sext(wide) << 1) - one
-    inside = [given.value.sle(one), ~given.value.slt(0)]
-    out = weight(unit.outputs["centred_o"], form)
-    return inside, every(out.value.sext(wide).eq(exact), out.flag.eq(given.flag))
+    out = total(unit.outputs["sum_o"], form)
+    exact = given.value.sext(out.value.width) << (width(form) - 2)
+    return [], every(out.value.eq(exact), out.all.eq(given.all))
 
 
 def negate(unit, p):
@@ -262,14 +246,8 @@ THEOREMS = (
             tuple(case for shift in _SHIFTS
                   for case in _cases("ffd_num_narrow", narrow, FORMATS if shift in (0, 2) else ALL_LATENCIES,
                                      (0, 1, 2, 3), {"SHIFT": shift}))),
-    Theorem("num.rescale", "sum x 2^shift for a shift of -1 to 3, rounded half up once, saturated and flagged.", _W,
-            Bug("ffd_num_rescale", "value <<< places", "value <<< (places & 3'd3)"),
-            _cases("ffd_num_rescale", rescale, FORMATS, (0, 1, 2, 3))),
-    Theorem("num.widen", "point x 2^shift for a shift of 0 to 2, exact.", _W,
+    Theorem("num.widen", "point as a sum, exact.", _W,
             Bug("ffd_num_widen", "{8{point_i[W-1]}}", "{8{1'b0}}"), _cases("ffd_num_widen", widen, FORMATS, (None,))),
-    Theorem("num.centre", "2 x coordinate - 1 for a coordinate in [0, 1], exact.", _W,
-            Bug("ffd_num_centre", "{coordinate_i[W-2:0], 1'b0} - one", "{coordinate_i[W-2:0], 1'b1} - one"),
-            _cases("ffd_num_centre", centre, FORMATS, (1, 2))),
     Theorem("num.negate", "-sum, exact but of the lowest sum, which no vertex has; infinities change sign.", _W,
             Bug("ffd_num_negate", "{VALUE_W{1'b0}} - sum_i[VALUE_W-1:0]", "~sum_i[VALUE_W-1:0]"),
             _cases("ffd_num_negate", negate, FORMATS, (None,))),

@@ -1,7 +1,7 @@
 (* What is left to show of a form in a format: that its bound, a number, holds for the formula of
    its errors. The rest is proved here, of the programs of Programs.v.
    SPDX-License-Identifier: Apache-2.0 *)
-Require Import Reals Lra Lia Gappa.Gappa_library Sums Fixed Nested Float Programs.
+Require Import Reals Lra Lia Gappa.Gappa_library Sums Fixed Float Programs.
 From Flocq Require Import Core.
 Open Scope R_scope.
 
@@ -74,33 +74,6 @@ Proof.
   apply (by_pair u bs bt bu e) with (c := c); try assumption; intros; apply Unit.
 Qed.
 End Certified.
-
-(** The weights of `nested` are those of the polynomials that its matrices make. *)
-Theorem nested_certified e a bound given half last (point r out : R -> R) ms mt mu x y z bs bt bu P :
-  Rabs x <= 1 -> Rabs y <= 1 -> Rabs z <= 1 ->
-  vertex e a (fun i => at_power x (fun k => ms k i)) (fun i => at_power y (fun k => mt k i))
-    (fun i => at_power z (fun k => mu k i)) bs bt bu P ->
-  rounds point given -> rounds r half -> rounds out last ->
-  nested_bound e a given half last <= bound ->
-  Rabs (nested_program ms mt mu x y z P point r out - eq1 bs bt bu P) <= bound.
-Proof.
-  intros X Y Z V Given Half Last B; apply Rle_trans with (2 := B).
-  assert (E0 : 0 <= e) by (apply Rle_trans with (2 := weights_s _ _ _ _ _ _ _ _ _ V); apply norm_nonneg).
-  destruct V; unfold nested_program.
-  set (c1 := fun l m k => r (S4 (fun n => mu k n * point (P l m n)))).
-  set (c2 := fun l j k => r (S4 (fun m => mt j m * c1 l m k))).
-  set (c3 := fun i j k => r (S4 (fun l => ms i l * c2 l j k))).
-  set (f := fun i j => horner_program r z (fun k => c3 i j k)).
-  set (h := fun i => horner_program r y (fun j => f i j)).
-  assert (S : forall w k, steps half w k (horner_program r w k)).
-  { intros w k; unfold horner_program.
-    exists (r (k 2%nat + w * k 3%nat)), (r (k 1%nat + w * r (k 2%nat + w * k 3%nat))).
-    repeat split; apply Half. }
-  apply (nested ms mt mu x y z bs bt bu e a given half last (fun l m n => point (P l m n)) P X Y Z E0
-    (rounds_pos _ _ Half) (rounds_pos _ _ Given)) with
-    (c1 := c1) (c2 := c2) (c3 := c3) (f := f) (h := h) (v := horner_program r x h); try assumption;
-    intros; try apply Given; try apply Half; try apply S; apply Last.
-Qed.
 
 (** binary32 in four orders. *)
 Definition float_program (tree fused : bool) s t u P :=

@@ -1,7 +1,7 @@
-(* The forms as programs of the core: what is rounded, in which order. Fixed.v, Nested.v and Float.v
-   say what follows for any rounding; here roundings are those of the core.
+(* The forms as programs of the core: what is rounded, in which order. Fixed.v and Float.v say
+   what follows for any rounding; here roundings are those of the core.
    SPDX-License-Identifier: Apache-2.0 *)
-Require Import Reals Lra ZArith Gappa.Gappa_library Sums Fixed Nested Float.
+Require Import Reals Lra ZArith Gappa.Gappa_library Sums Fixed Float.
 From Flocq Require Import Core Relative.
 Open Scope R_scope.
 
@@ -87,16 +87,6 @@ Definition expanded (share : R -> R) (to_one : bool) (w : nat -> R) (v : R) (b :
 Definition scatter_program (one_s one_t one_u : bool) (s t u : nat -> R) (g : R) (point share : R -> R)
     (l m n : nat) :=
   expanded share one_u u (expanded share one_t t (expanded share one_s s (point g) l) m) n.
-
-(** A cell's polynomial about its centre, then Horner's rule along u, t, s. *)
-Definition horner_program (r : R -> R) (x : R) (c : nat -> R) :=
-  r (c 0%nat + x * r (c 1%nat + x * r (c 2%nat + x * c 3%nat))).
-Definition nested_program (ms mt mu : nat -> nat -> R) (x y z : R) (P : nat -> nat -> nat -> R)
-    (point r out : R -> R) :=
-  let c1 l m k := r (S4 (fun n => mu k n * point (P l m n))) in
-  let c2 l j k := r (S4 (fun m => mt j m * c1 l m k)) in
-  let c3 i j k := r (S4 (fun l => ms i l * c2 l j k)) in
-  out (horner_program r x (fun i => horner_program r y (fun j => horner_program r z (fun k => c3 i j k)))).
 
 (** binary32: 64 terms in the order of the banks, `v` of each; weights and points are those of the
     banks. *)

@@ -1,5 +1,5 @@
 (* Sums of four, one inside the other: what an axis makes of four numbers, and what three axes make
-   of 64. Everything that is proved of the forms (Fixed.v, Nested.v, Float.v) rests on these.
+   of 64. Everything that is proved of the forms (Fixed.v, Float.v) rests on these.
    SPDX-License-Identifier: Apache-2.0 *)
 Require Import Reals Lra.
 Open Scope R_scope.

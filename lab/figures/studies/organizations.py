@@ -120,12 +120,7 @@ def _total(field, **wanted):
 
 
 def _watertight(reports):
-    return [row for row in rows(reports) if not row["seam_bound_units"]]
-
-
-def _seam(word):
-    """By how much neighbours differ on a seam where they may, in units of its last place."""
-    return lambda reports: max(row["seam_largest_units"] for row in rows(reports, format=word))
+    return [row for row in rows(reports) if not row["seam_differences"]]
 
 
 def missing(reports):
@@ -142,7 +137,4 @@ FIGURES = {
     "results_wrong": _total("mismatches"),
     "watertight_rows": lambda reports: len(_watertight(reports)),
     "watertight_results": lambda reports: sum(row["checked"] for row in _watertight(reports)),
-    "watertight_differences": lambda reports: sum(row["seam_differences"]
-                                                  for row in _watertight(reports)),
-    **{f"nested_seam_{word}": _seam(word) for word in FORMATS},
 }

@@ -25,11 +25,10 @@ FACTS = {"weights": [{**WEIGHTS, "format": "fx16"},
                      {**WEIGHTS, "format": "fx12", "weights": "affine slopes", "error": 5e-3, "distance": 9e-3, "pair": 0.0},
                      {**WEIGHTS, "format": "fx12", "weights": "powers slopes", "error": 4e-3, "distance": 6e-3, "pair": 0.0},
                      {**WEIGHTS, "format": "bfp32", "error": 2e-9, "distance": 0.0, "pair": 0.0},
-                     {**WEIGHTS, "format": "fx16", "weights": "centred", "distance": 0.0, "pair": 0.0},
                      {**WEIGHTS, "format": "fp32-fused", "error": 2e-7, "distance": 0.0, "pair": 0.0}],
          "forms": [{"form": form, "format": name, "error": 1e-9} for form, name in (
              ("factored", "fx16"), ("product", "fx16"), ("product", "bfp32"), ("factored", "bfp32"),
-             ("nested", "fx16"), ("tree", "fp32-fused"), *((form, "fx12") for form in forms.SCATTERS))]}
+             ("tree", "fp32-fused"), *((form, "fx12") for form in forms.SCATTERS))]}
 
 
 @pytest.fixture(name="theory", scope="module")

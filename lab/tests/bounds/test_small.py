@@ -99,7 +99,7 @@ def test_a_proof_that_rests_on_what_it_says_is_none(tmp_path):
 @pytest.mark.parametrize("form", sorted(forms.FORMULAS))
 def test_a_composed_bound_is_no_larger_than_its_formula(form):
     known = forms.Known(dyadic.power(-14), dyadic.power(-12), dyadic.power(-12), dyadic.power(-13))
-    rounds = forms.roundings(FX16, form == "nested")
+    rounds = forms.roundings(FX16)
 
     def script(bound):
         return forms.fixed_script(form, rounds, known, bound)

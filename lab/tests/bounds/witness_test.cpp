@@ -26,14 +26,7 @@ std::string form_of(const Configuration& row) {
   }
   if (product) return "product";
   if (powers) return "powers";
-  switch (organization_of(row).form) {
-    case Form::kFactored:
-      return "factored";
-    case Form::kAffine:
-      return "affine";
-    default:
-      return "nested";
-  }
+  return organization_of(row).form == Form::kAffine ? "affine" : "factored";
 }
 
 nlohmann::json witnesses() {

@@ -41,7 +41,7 @@ def core(name, clocks, latency=50):
 
 
 CORES = [*core("factored3-fx18-overlapped", (3.0, 3.0)),
-         *core("nested3-fx18-overlapped", (250.0, 3.5)),
+         *core("walk-fx17-overlapped", (16.0, 2.5)),
          *core("basic-fx18-overlapped", (64.0, 64.0))]
 
 
@@ -52,7 +52,7 @@ def clock(name, top, mhz, **more):
 
 REPORTS = {
     "pnr": {"rows": [clock("factored3-fx18-overlapped", "hwffd_stream", 102.0),
-                     clock("nested3-fx18-overlapped", "hwffd_stream", 100.0),
+                     clock("walk-fx17-overlapped", "hwffd_stream", 100.0),
                      clock("basic-fx18-overlapped", "hwffd_axi", 128.0),
                      clock("basic-fx18-overlapped", "ffd_org_select", 150.0)]},
     "synth": {"rows": [{"name": "factored3-fx18-overlapped", "top": "hwffd_stream",
@@ -88,15 +88,15 @@ def test_a_core_has_the_routed_clock_and_the_clocks_counted(reports):
     assert [(row["what"], row["sorted"], row["vertices_per_s"]) for row in rows] == [
         ("hwffd_stream factored3-fx18-overlapped", False, 34e6),
         ("hwffd_stream factored3-fx18-overlapped", True, 34e6),
-        ("hwffd_stream nested3-fx18-overlapped", False, 100e6 / 250),
-        ("hwffd_stream nested3-fx18-overlapped", True, 100e6 / 3.5),
+        ("hwffd_stream walk-fx17-overlapped", False, 6.25e6),
+        ("hwffd_stream walk-fx17-overlapped", True, 40e6),
         ("hwffd_axi basic-fx18-overlapped", False, 1.6e6),
         ("hwffd_axi basic-fx18-overlapped", True, 1.6e6)]
     assert rows[0]["per_multiplier"] == 34e4
     assert rows[0]["latency_ns"] == pytest.approx(50 / 102e6 * 1e9)
     assert rows[2]["per_multiplier"] is None
     assert rows[4]["latency_ns"] is None
-    assert routed.names(reports()) == ["factored3-fx18-overlapped", "nested3-fx18-overlapped"]
+    assert routed.names(reports()) == ["factored3-fx18-overlapped", "walk-fx17-overlapped"]
 
 
 def test_a_core_that_was_not_counted_has_no_row(reports):
@@ -104,10 +104,10 @@ def test_a_core_that_was_not_counted_has_no_row(reports):
 
 
 def test_memory_to_memory_only_where_the_order_plays_no_part(reports):
-    pnr = {"rows": [clock("nested3-fx18-overlapped", "hwffd_axi", 100.0)]}
-    dma = {"runs": [{**REPORTS["dma"]["runs"][0], "org": "nested3"}]}
+    pnr = {"rows": [clock("walk-fx17-overlapped", "hwffd_axi", 100.0)]}
+    dma = {"runs": [{**REPORTS["dma"]["runs"][0], "org": "walk", "format": "fx17"}]}
     assert routed.rows(reports(pnr=pnr, dma=dma), CORES) == []
-    same = core("nested3-fx18-overlapped", (3.0, 3.0))
+    same = core("walk-fx17-overlapped", (3.0, 3.0))
     assert len(routed.rows(reports(pnr=pnr, dma=dma), same)) == 2
 
 
@@ -155,8 +155,8 @@ def test_table_and_figures(reports, whole):
     assert [line[0] for line in lines] == [
         "`LatticeEvaluator<float>`", "`LatticeEvaluator<double>`",
         "`device model basic-fx18-overlapped`", "peer 1.0 `call`",
-        "`hwffd_stream` factored3-fx18-overlapped", "`hwffd_axi` basic-fx18-overlapped",
-        "`hwffd_stream` nested3-fx18-overlapped"]
+        "`hwffd_stream` factored3-fx18-overlapped", "`hwffd_stream` walk-fx17-overlapped",
+        "`hwffd_axi` basic-fx18-overlapped"]
     assert lines[0][2:4] == ["70.00", "140.00"]
     assert lines[4][2:7] == ["34.00", "34.00", "0.340", "490", "32"]
     assert data.figure("compare", "float_sorted") == 140
@@ -195,7 +195,7 @@ def test_a_clock_with_a_remark_is_no_fastest_core(reports, whole):
         if "factored3" in row["what"]:
             row["remark"] = "no delays"
     data = reports(compare=marked)
-    assert data.figure("compare", "core_name") == "basic-fx18-overlapped"
+    assert data.figure("compare", "core_name") == "walk-fx17-overlapped"
     assert "(1) no delays" in printed(MODULES["compare"], data)
 
 

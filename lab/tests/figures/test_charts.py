@@ -21,7 +21,7 @@ REPORTS = {"organizations": samples.ORGANIZATIONS, "synth": {**samples.SYNTH, "r
            "structure": samples.STRUCTURE, "compare": samples.COMPARE}
 # A picture -> words that stand in it. Letters are paths; the words stand in comments beside them.
 WORDS = {
-    "organizations.svg": ("basic", "tree 8", "nested", "overlapped", "paper's schedule, as built"),
+    "organizations.svg": ("basic", "tree 8", "overlapped", "paper's schedule, as built"),
     "pareto.svg": ("hwffd_stream on ecp5, routed", "hwffd_stream on ecp5, mapped", "basic fx18",
                    "parallel fx18", "LUTs"),
     "tree8.svg": ("tree8-fx18-paper", "3 accumulators", "first vertex done"),
@@ -106,7 +106,7 @@ def test_what_is_drawn_of_a_row_is_a_plane_every_four_clocks_and_a_vertex_every_
 
 
 def test_a_tree_is_shown_with_eight_units_where_there_is_one():
-    rows = [{"org": "tree", "n": n} for n in (2, 8, 32)] + [{"org": "nested", "n": 4}]
+    rows = [{"org": "tree", "n": n} for n in (2, 8, 32)] + [{"org": "factored", "n": 64}]
     assert timeline.shown(rows) == [rows[1], rows[3]]
     assert timeline.shown(rows[:1]) == rows[:1]
 

@@ -11,7 +11,6 @@
 #include "comparison.hpp"
 #include "hwffd/cores/evaluator_core_factory.hpp"
 #include "hwffd/model/schedule.hpp"
-#include "hwffd/model/seam_bound.hpp"
 #include "named.hpp"
 #include "report.hpp"
 #include "timeline.hpp"
@@ -35,12 +34,10 @@ TEST_P(EachRow, ClocksBetweenTheProbes) {
   const Configuration& row = GetParam();
   const Measurement measured = measure(row, kLittle);
   EXPECT_EQ(measured.mismatches, 0U) << measured.first_mismatch;
-  const std::size_t runs = keeps_cell(row) ? 2 : 1;
   const std::size_t each = gives_jacobian(row) ? 4 : 1;
-  EXPECT_EQ(measured.checked, each * (8 + runs * kLittle.vertices) + measured.seam_values / 3);
+  EXPECT_EQ(measured.checked, each * (8 + kLittle.vertices) + measured.seam_values / 3);
   EXPECT_GE(measured.seam_values, kLittle.seam_values);
-  EXPECT_LE(measured.seam_largest, seam_bound(row));
-  EXPECT_EQ(measured.seam_differences > 0, seam_bound(row) > 0);
+  EXPECT_EQ(measured.seam_differences, 0U);
   EXPECT_EQ(measured.interval, expected_interval(row));
   EXPECT_GT(measured.max_error, 0);
   const std::vector<cores::Lane> lanes = lanes_of({&row, measured, {}});
@@ -152,21 +149,6 @@ TEST(Comparison, BeyondThePaperThereIsNoFormula) {
   EXPECT_GT(comparison.rows().front().vertices_per_s, 0);
 }
 
-// Seams that may differ are counted and bounded, and the report says so.
-TEST(Comparison, BoundedSeamsAreNoFault) {
-  const Configuration& row = find_configuration("nested-fx18-overlapped");
-  const OperatorCount count{{201, 201, 0}, {201, 201, 0}, 0};
-  std::vector<Row> rows =
-      compare({&row}, {{row.name, count}}, kLittle, [](std::size_t, std::size_t) {}).rows();
-  const auto json = nlohmann::json::parse(json_report(Comparison(rows, 1e6))).at("rows").at(0);
-  EXPECT_EQ(json.at("interval_overlapped"), 1);
-  EXPECT_GT(json.at("seam_differences"), 0);
-  EXPECT_LE(json.at("seam_largest_units"), json.at("seam_bound_units"));
-  EXPECT_EQ(faults(Comparison(rows, 1e6)), "");
-  rows[0].measured.seam_largest = seam_bound(row) + 1;
-  EXPECT_NE(faults(Comparison(rows, 1e6)), "");
-}
-
 // Of rows[0] at the paper's schedule and of rows[1], overlapped.
 TEST(Comparison, FaultsAreSaid) {
   const std::vector<Row> good = small_comparison().rows();
@@ -177,7 +159,7 @@ TEST(Comparison, FaultsAreSaid) {
     return faults(Comparison(rows, 1e6));
   };
   EXPECT_NE(spoiled([](Measurement& m) { m.mismatches = 1; }), "");
-  EXPECT_NE(spoiled([](Measurement& m) { m.seam_largest = 1; }), "");
+  EXPECT_NE(spoiled([](Measurement& m) { m.seam_differences = 1; }), "");
   EXPECT_NE(spoiled([](Measurement& m) { m.vertex.clocks = 97; }), "");
   EXPECT_NE(spoiled([](Measurement& m) { m.interval = 97; }), "");
   EXPECT_NE(spoiled([](Measurement& m) { m.checked = 0; }), "");
