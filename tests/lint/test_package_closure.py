@@ -12,7 +12,7 @@ TABLE = """# sets
 [build] # C++
 g++      g++
 liba-dev -   optional
-[test] build
+[test-all] build
 xvfb     Xvfb
 """
 PROGRAMS = {

@@ -17,7 +17,7 @@ from tools.project_root import ROOT
 
 # What a bare machine has for the first command (README).
 BARE = ("git", "make", "ca-certificates")
-SET = "test"
+SET = "test-all"
 # Scripts that run at a release, and say themselves what they need.
 APART = ("fresh_machine.py", "picture.py")
 # Programs that are started by their names, and by whom no script asks.
