@@ -23,6 +23,7 @@ import time
 
 from lab.figures import study_pages
 from lab.figures.modules import MODULES, missing
+from lab.release import clean_tree
 from tools import command_line, csv_table, whole_file
 from tools.reports import results
 from tools.tables import version
@@ -82,7 +83,7 @@ class Release:
     def __init__(self, root, studies):
         self.root, self.studies = root, studies
         self.names = [name for rows in studies.values() for name, _ in rows]
-        self.commit = self.clean()
+        self.commit = clean_tree.commit(root)
         self.version = str(version.read(root))
         self.folder = root / "build" / "results" / self.commit[:12]
         self.target = root / results.RELEASED / self.version
@@ -91,20 +92,6 @@ class Release:
             of = results.read(self.target / results.RELEASE).get("commit", "several commits")
             raise command_line.Request(f"{results.RELEASED}/{self.version} is there, of {of[:12]}; results of two commits are not "
                                        "mixed: raise VERSION, or remove that folder")
-
-    def git(self, *words):
-        result = subprocess.run(["git", "-C", self.root, *words], capture_output=True, text=True, check=False)
-        if result.returncode:
-            raise command_line.Request(f"not a checkout of git: {result.stderr.strip().splitlines()[-1]}")
-        return result.stdout.rstrip("\n")
-
-    def clean(self):
-        """The commit. Raises Request where the tree is not what it says."""
-        changed = self.git("status", "--porcelain").splitlines()
-        if changed:
-            raise command_line.Request(f"the tree has local changes, {changed[0][3:]} and {len(changed) - 1} more: commit them first"
-                                       if changed[1:] else f"the tree has a local change, {changed[0][3:]}: commit it first")
-        return self.git("rev-parse", "HEAD")
 
     def path(self, name):
         return self.folder / f"{name}.json"
@@ -140,7 +127,7 @@ class Release:
             except BaseException:
                 os.killpg(process.pid, signal.SIGTERM)
                 raise
-        if self.clean() != self.commit:
+        if clean_tree.commit(self.root) != self.commit:
             raise command_line.Request(f"another commit is checked out since {command} began: its results are not taken")
         where = f"see {log.relative_to(self.root)}"
         taken = {}

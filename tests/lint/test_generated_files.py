@@ -13,7 +13,7 @@ from tools import csv_table
 from tools.project_root import ROOT
 from tools.rtl import module_header, rtl_sources
 from tools.tables import (
-    configurations, core_file, formats, generated_files, ip_xact, organizations, registers, stream_words, system_rdl, version)
+    citation, configurations, core_file, formats, generated_files, ip_xact, organizations, registers, stream_words, system_rdl, version)
 
 CORE = (ROOT / core_file.NAME).read_text(encoding="utf-8")
 FP32 = "fp32,,0,float,Binary32,Binary32Fused,binary32\n"
@@ -114,7 +114,8 @@ REACHED = (
         core_file.NAME: 'name: "hwffd:ip:hwffd:3.41.59"',
         ip_xact.NAME: "<ipxact:version>3.41.59</ipxact:version>",
         system_rdl.NAME: "minor[15:8] = 8'h29;",
-        version.LITEX: 'VERSION = "3.41.59"\n'}),
+        version.LITEX: 'VERSION = "3.41.59"\n',
+        citation.NAME: "\nversion: 3.41.59\n"}),
 )
 PATHS = list(generated_files.outputs())
 
@@ -208,7 +209,7 @@ def test_formats():
 
 
 def test_what_is_committed_is_up_to_date(call):
-    assert len(PATHS) == 22
+    assert len(PATHS) == 23
     assert call(generated_files.main, "check") == (0, [], [])
     assert call(registers.main, "check") == (0, [], [])
     assert call(registers.main, "list")[1][0] == "0x000 ID value(const)"

@@ -10,7 +10,7 @@ from tools import csv_table
 from tools.project_root import ROOT
 from tools.rtl import rtl_sources
 from tools.tables import (
-    bender, core_file, formats, ip_xact, organization_rtl, registers, stream_words, system_rdl, version)
+    bender, citation, core_file, formats, ip_xact, organization_rtl, registers, stream_words, system_rdl, version)
 
 # What each of them is made from, and how. A checkout without that has no such files. The list of files
 # comes after them, since it names them, and behind it what is made of it.
@@ -26,7 +26,8 @@ _SOURCES = (
         f"rtl/{name}": text for name, text in rtl_sources.file_list_texts(root / "rtl").items()}),
     (version.FILE, lambda root: {
         core_file.NAME: core_file.text(root), bender.NAME: bender.text(root), ip_xact.NAME: ip_xact.text(root),
-        system_rdl.NAME: system_rdl.text(root), version.LITEX: version.litex_text(version.read(root))}),
+        system_rdl.NAME: system_rdl.text(root), version.LITEX: version.litex_text(version.read(root)),
+        citation.NAME: citation.text(root)}),
 )
 
 

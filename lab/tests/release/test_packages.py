@@ -1,0 +1,63 @@
+"""make packages: the archive of a small tree, with trials of its own.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import json
+import tarfile
+
+import pytest
+
+from lab.release import packages
+
+
+def tried(made):
+    """the unpacked archive"""
+    assert (made.sources / "a.v").read_text() == "module a;\n"
+    assert not (made.sources / "untracked").exists()
+    made.run("sh", "-c", "test -z \"$PYTHONPATH$HWFFD_X\"", folder=made.sources)
+
+
+def fails(made):
+    """what does not work"""
+    made.run("sh", "-c", "echo what it says; exit 3")
+
+
+@pytest.fixture
+def packed(checkout, call, monkeypatch):
+    """(exit status, lines printed, complaints) with these trials."""
+    checkout.put({"VERSION": "1.2.3\n", ".gitignore": "build\nuntracked\n", "a.v": "module a;\n", "untracked": ""})
+    checkout.git("init", "--quiet")
+    checkout.commit()
+    monkeypatch.setenv("HWFFD_X", "1")
+
+    def ran(*trials):
+        monkeypatch.setattr(packages, "TRIALS", ((packages.Packages.archive, trials),))
+        return call(packages.main, "--root", checkout.root)
+    return ran
+
+
+def test_the_archive_is_what_git_has_and_the_same_each_time(checkout, packed):
+    path = checkout.root / "build" / "packages" / "hwffd-1.2.3.tar.gz"
+    rows = []
+    for _ in range(2):
+        status, out, errors = packed(tried)
+        assert (status, errors) == (0, [])
+        assert out[0] == "packages: hwffd-1.2.3.tar.gz: the unpacked archive"
+        rows.append(json.loads(checkout.text("build/reports/packages.json"))["rows"])
+    assert rows[0] == rows[1] and rows[0][0]["bytes"] == path.stat().st_size
+    with tarfile.open(path) as file:
+        assert sorted(file.getnames()) == [f"hwffd-1.2.3{name}" for name in ("", "/.gitignore", "/VERSION", "/a.v")]
+
+
+def test_a_trial_that_fails_is_one_line(checkout, packed):
+    status, _, errors = packed(fails)
+    assert status == 1
+    assert errors == [f"packages: sh -c ended with 3: see {checkout.root}/build/packages/packages.log"]
+    assert "what it says" in checkout.text("build/packages/packages.log")
+    assert not (checkout.root / "build" / "reports" / "packages.json").exists()
+
+
+def test_local_changes_are_refused(checkout, packed):
+    checkout.put({"a.v": "module b;\n"})
+    assert packed(tried) == (2, [], ["packages: the tree has a local change, a.v: commit it first"])
