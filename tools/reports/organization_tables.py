@@ -6,7 +6,7 @@ SPDX-License-Identifier: Apache-2.0
 from tools.reports.text_table import Table, shown
 from tools.tables.organizations import is_second_name, known, label
 
-EVALUATOR, CORE = "ffd_org_select", "hwffd_stream"
+EVALUATOR, CORE, TRANSPOSE = "ffd_org_select", "hwffd_stream", "hwffd_scatter"
 
 
 def _by_name(reports, name, top):
@@ -62,4 +62,28 @@ def organizations(reports, *names):
                   "MHz", "million vertices per second", "error, proved bound", "error, sample"], lines)
 
 
-TABLES = {"organizations": organizations}
+def _bound_of(row, bounds):
+    """What is proved of a core that evaluates; '-' of the transpose."""
+    own = known().get(row["org"])
+    form = "powers" if row["name"].split("+")[0].endswith("-powers") else own.form if own else ""
+    return shown(None if row["top"] == TRANSPOSE else bounds.get((form, row["format"])), ".1e")
+
+
+def routed_cores(reports, *names):
+    """Whole cores that have been routed on ECP5, all or those named, as they are built: clocks and vertices, or gradients,
+    a second in any order and along rows of a grid.
+    """
+    bounds, lines = _bounds(reports), []
+    for row in reports.rows("synth", target="ecp5"):
+        if not row.get("routed") or row["top"] == EVALUATOR or names and row["name"] not in names:
+            continue
+        clocks = [row["fmax_mhz"] * 1e6 / row[field] for field in ("vertices_per_s", "row_vertices_per_s")]
+        lines.append([
+            f"`{label(row)}`", row["meaning"] or "positions, derivatives, det J", *(shown(clock, ".3g") for clock in clocks),
+            shown(row["dsp"]), _luts(row), shown(row["bram"]), shown(row["fmax_mhz"], ".1f"),
+            *(shown(row[field] / 1e6, ".1f") for field in ("vertices_per_s", "row_vertices_per_s")), _bound_of(row, bounds)])
+    return Table(["organization", "built with", "cycles per vertex", "in rows of grids", "multipliers", "LUT", "block memories", "MHz",
+                  "million vertices per second", "in rows of grids", "error, proved bound"], lines)
+
+
+TABLES = {"organizations": organizations, "cores": routed_cores}

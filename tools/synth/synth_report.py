@@ -16,15 +16,15 @@ FIELDS = ("lut", "lutram", "ff", "dsp", "bram", "cells", "area_um2", "depth", "p
 
 def clock(place, subject, result):
     """What is known of a row's clock: after routing where `make pnr` has been, with what the router
-    does not know, of standard cells from their timing; and the vertices a second of what is routed.
+    does not know, of standard cells from their timing; and the vertices a second of what is routed, in
+    any order and along rows of a grid.
     """
     routed = place.clock(subject)
     if not routed:
         return {"fmax_mhz": result.get("fmax_mhz"), "fmax_share": None, "routed": False, "seeds": [],
-                "vertices_per_s": None}
-    unknown = placement.unknown(subject.target)
-    return {**routed, "vertices_per_s": round(routed["fmax_mhz"] * 1e6 / subject.row.interval),
-            **({"remark": unknown} if unknown else {})}
+                "vertices_per_s": None, "row_vertices_per_s": None}
+    unknown, rates = placement.unknown(subject.target), [round(routed["fmax_mhz"] * 1e6 / clocks) for clocks in subject.clocks]
+    return {**routed, **dict(zip(("vertices_per_s", "row_vertices_per_s"), rates)), **({"remark": unknown} if unknown else {})}
 
 
 def collect(work, subjects):

@@ -95,6 +95,15 @@ class Subject:
         return {name: known[name] for name in OF_SCATTER if name in known} if self.top == SCATTER else known
 
     @property
+    def clocks(self):
+        """Clocks from a vertex, or of the transpose from a gradient, to the next: in any order, and along rows of a
+        grid that are long enough."""
+        if self.top == SCATTER:
+            return (12, 1) if self.parameters.get("ROWS") else (3, 3)
+        organization = self.row.organization
+        return self.row.interval, 1 / organization.lanes if organization.walks else self.row.interval
+
+    @property
     def fixed(self):
         return self.row.format != "fp32"
 
