@@ -184,7 +184,7 @@ test-synth:
 	$(INSTALL) test-synth
 	$(CONFIGURE)
 	$(COMPILE) --target hwffd_test_synth
-	@$(call run_tests,synth) -L '^synth$$'
+	@$(call run_tests,test-synth) -L '^synth$$'
 
 # Not beside the tests: readers are compiled a second time, for the sanitizers.
 fuzz:

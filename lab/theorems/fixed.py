@@ -188,26 +188,20 @@ def out_word(unit, p):
 # ---- theorems
 
 
-def _cases(unit, claim, formats, latencies, more=None, latency=None, late=None):
+def _cases(unit, claim, formats, latencies, more=None, latency=None):
     """A case for each format at the first latency, and at all of them for some formats."""
     cases = []
     for form in formats:
         for clocks in latencies if form in ALL_LATENCIES else latencies[:1]:
             parameters = {"FORMAT": form, **({} if clocks is None else {"LATENCY": clocks}), **(more or {})}
             cases.append(Case(unit, parameters, 0 if clocks is None else clocks if latency is None else latency(clocks),
-                              claim, late or {}))
+                              claim))
     return tuple(cases)
 
 
 def _steps():
-    cases = []
-    for form in FORMATS:
-        for mul_latency in (1, 2, 3, 4, 5) if form in ALL_LATENCIES else (1, 3):
-            for late in (0, 1) if form in ALL_LATENCIES else (0,):
-                cases.append(Case("ffd_num_step", {"FORMAT": form, "MUL_LATENCY": mul_latency, "ADD_LATENCY": 1,
-                                                   "LATE": late}, mul_latency + 1, step,
-                                  {"coefficient_i": mul_latency} if late else {}))
-    return tuple(cases)
+    return tuple(Case("ffd_num_step", {"FORMAT": form, "MUL_LATENCY": mul_latency, "ADD_LATENCY": 1}, mul_latency + 1, step)
+                 for form in FORMATS for mul_latency in ((1, 2, 3, 4, 5) if form in ALL_LATENCIES else (1, 3)))
 
 
 _ROUND = tuple(Case("ffd_fx_round", {"IN_W": a, "DROP": d, "OUT_W": o}, 0, rounded)
@@ -246,8 +240,8 @@ THEOREMS = (
             tuple(case for shift in _SHIFTS
                   for case in _cases("ffd_num_narrow", narrow, FORMATS if shift in (0, 2) else ALL_LATENCIES,
                                      (0, 1, 2, 3), {"SHIFT": shift}))),
-    Theorem("num.widen", "point as a sum, exact.", _W,
-            Bug("ffd_num_widen", "{8{point_i[W-1]}}", "{8{1'b0}}"), _cases("ffd_num_widen", widen, FORMATS, (None,))),
+    Theorem("num.widen", "point as a sum, exact.", _ALL,
+            Bug("ffd_num_widen", "{8{point_i[W-1]}}", "{8{1'b0}}"), _cases("ffd_num_widen", widen, FIXED, (None,))),
     Theorem("num.negate", "-sum, exact but of the lowest sum, which no vertex has; infinities change sign.", _W,
             Bug("ffd_num_negate", "{VALUE_W{1'b0}} - sum_i[VALUE_W-1:0]", "~sum_i[VALUE_W-1:0]"),
             _cases("ffd_num_negate", negate, FORMATS, (None,))),

@@ -80,7 +80,6 @@ module ffd_org_factored #(
   genvar lane;
   generate
     for (lane = 0; lane < LANES; lane = lane + 1) begin : gen_lane
-
       ffd_eval_factored #(
         .FOLD           (FOLD),
         .AFFINE         (AFFINE),

@@ -36,8 +36,6 @@ output wire [PORTS*12-1:0]                             read_cell_o,
 output wire [PORTS*6-1:0]                              read_index_o,
 input  wire [PORTS*N*3*`FFD_POINT_W(FORMAT)-1:0]       read_points_i,
 
-// It works on what all vertices of a cell share, and takes none meanwhile.
-
 // The sum {z, y, x}, for one clock, in the order of the vertices; and where an organization gives
 // the Jacobian in the same pass, the sums of the derivatives {u, t, s}, else 0. It is asked for by
 // places of derivatives on all three axes. With it the sum of a second vertex, else 0.

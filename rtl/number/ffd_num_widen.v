@@ -3,7 +3,7 @@
 // Formats:    fxW only: Q1.(W-1) -> Q9.(2W-3), exact.
 // Pipeline:   combinational.
 // Parameters: FORMAT 8 to 32.
-// Model:      none: its users' sums are the model's.  Test: tests/unit/fixed.
+// Model:      none: its users' sums are the model's.  Test: tests/evaluator, tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"

@@ -10,6 +10,7 @@ import shutil
 import pytest
 
 from tools.project_root import ROOT
+from tools.reports import report_modules
 
 SHOW = """for word; do printf '<%s>' "$word"; done"""
 
@@ -70,6 +71,9 @@ def test_exit_status_is_shown(make, status):
 def test_tests_end_with_ctest(make, target, label):
     last = make(target)[1][-1]
     assert last.startswith("ctest ") and last.endswith(f" -L {label}")
+    report = re.search(r"reports/(\S+)[.]xml", last)[1]
+    assert report == ("tests" if target in ("test", "test-all") else target)
+    assert report == "tests" or report not in report_modules.MODULES
 
 
 def test_synth(make, programs):

@@ -234,7 +234,7 @@ def test_gates_as_yosys_counts_them(mapping):
             "cells": cells, "ff": flipflops}
 
 
-# In make test those that take a second, and one of iCE40.
+# In make test-synth those that take a second, and one of iCE40.
 SOON = ("ecp5", "up5k", "gowin", "gw5a", "gatemate")
 
 

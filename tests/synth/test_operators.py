@@ -90,7 +90,7 @@ COUNTED = (
 )
 
 
-# One of each form in make test; test-all counts every organization.
+# One of each form in make test-synth; test-all counts every organization.
 FEW = ("basic", "factored/3", "walk", "jet/3")
 
 

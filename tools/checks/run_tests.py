@@ -6,7 +6,7 @@ REPORT is the file that ctest is told to write (--output-junit); beside it are t
 last lines, REPORT.closing. Skipped
 is a test that says so by its exit status, a test of GoogleTest that does, and a part of one in Python. Tests of
 GoogleTest say so where they make no sense for a configuration, unless their reason speaks of a package. Where the variable
-CI is set, any other skip that is not in ALLOWED fails: there the packages of `make test` are all to be installed.
+CI is set, any other skip that is not in ALLOWED fails: there the packages of all tests are to be installed.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -93,7 +93,7 @@ def main(report, *words):
         skipped = sum(not count for _, count, _ in not_run) + sum(senseless.values())
         tests_tables.collect(report, skipped)
     if not allowed and os.environ.get("CI"):
-        lines.append("Skips for want of a package are failures here: tools/install test")
+        lines.append("Skips for want of a package are failures here: tools/install test test-synth")
         status = status or 1
     text = "\n".join(lines) + "\n\n" + closing
     report.with_suffix(".closing").write_text(text, encoding="utf-8")

@@ -71,7 +71,7 @@ def _bound_of(row, bounds):
 
 def routed_cores(reports, *names):
     """Whole cores that have been routed on ECP5, all or those named, as they are built: clocks and vertices, or gradients,
-    a second in any order and along rows of a grid.
+    a second in any order and along rows of a grid; of `hwffd_adjoint` those of its evaluator.
     """
     bounds, lines = _bounds(reports), []
     for row in reports.rows("synth", target="ecp5"):
@@ -79,11 +79,12 @@ def routed_cores(reports, *names):
             continue
         clocks = [row["fmax_mhz"] * 1e6 / row[field] for field in ("vertices_per_s", "row_vertices_per_s")]
         lines.append([
-            f"`{label(row)}`", row["meaning"] or "positions, derivatives, det J", *(shown(clock, ".3g") for clock in clocks),
+            f"`{row['name']}`", f"`{row['top']}`", row["meaning"] or "positions, derivatives, det J",
+            *(shown(clock, ".3g") for clock in clocks),
             shown(row["dsp"]), _luts(row), shown(row["bram"]), shown(row["fmax_mhz"], ".1f"),
             *(shown(row[field] / 1e6, ".1f") for field in ("vertices_per_s", "row_vertices_per_s")), _bound_of(row, bounds)])
-    return Table(["organization", "built with", "cycles per vertex", "in rows of grids", "multipliers", "LUT", "block memories", "MHz",
-                  "million vertices per second", "in rows of grids", "error, proved bound"], lines)
+    return Table(["core", "module", "built with", "cycles per vertex", "in rows of grids", "multipliers", "LUT",
+                  "block memories", "MHz", "million vertices per second", "in rows of grids", "error, proved bound"], lines)
 
 
 TABLES = {"organizations": organizations, "cores": routed_cores}

@@ -100,8 +100,9 @@ class Subject:
         grid that are long enough."""
         if self.top == SCATTER:
             return (12, 1) if self.parameters.get("ROWS") else (3, 3)
-        organization = self.row.organization
-        return self.row.interval, 1 / organization.lanes if organization.walks else self.row.interval
+        organization, own = self.row.organization, self.parameters
+        lanes = organization.lanes if own.get("GRIDS") and own.get("HALVES") else 1
+        return self.row.interval, 1 / lanes if organization.walks else self.row.interval
 
     @property
     def fixed(self):

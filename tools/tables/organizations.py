@@ -41,7 +41,6 @@ class Form:
 
     name: str
     words: tuple  # of the formats that it has
-    evaluators: tuple  # that it has beside the pipelined one
     contracts: bool  # whether it takes one axis after the other
     completes: bool  # whether it takes for granted that the functions of an axis sum to one
     meaning: str
@@ -49,9 +48,9 @@ class Form:
 
 # The one place that says what a form is; `enum class Form` of the model follows.
 FORMS = {form.name: form for form in (
-    Form("product", ("float", "block", "fixed"), ("iterative",), False, False, "the sum of ((B_l B_m) B_n) P"),
-    Form("factored", ("float", "block", "fixed"), ("powers",), True, False, "one axis after the other"),
-    Form("affine", ("fixed",), ("powers",), True, True,
+    Form("product", ("float", "block", "fixed"), False, False, "the sum of ((B_l B_m) B_n) P"),
+    Form("factored", ("float", "block", "fixed"), True, False, "one axis after the other"),
+    Form("affine", ("fixed",), True, True,
          "the same, of functions that sum to one, by differences of points"),
 )}
 

@@ -25,9 +25,6 @@ class ScheduleProbes {
   /// Looks at the probes; once a clock, when the core has settled.
   void sample(std::uint64_t clock);
 
-  /// Vertices that have entered.
-  std::size_t entered() const { return walk_ ? walk_->entered : sequencers_.back().entered; }
-
   cores::Schedule schedule() const;
 
  private:

@@ -26,7 +26,7 @@ def named(name):
 
 
 @pytest.mark.parametrize("name", ("fx.round", "num.add", "fx.sixth", "seam.powers", "num.less",
-                                  "scatter.expand"))
+                                  "scatter.expand", "num.widen", "num.step"))
 def test_a_theorem_is_proved_and_its_planted_bug_refuted(name, tmp_path):
     theorem = named(name)
     row = prove.Prover(tmp_path).row(dataclasses.replace(theorem, cases=theorem.cases[:3], also=()))

@@ -44,7 +44,7 @@ class StreamCore {
   virtual std::uint32_t second() const { return 0; }
   /// Where the events of this clock come from: event_packet_o and event_beat_o.
   virtual EventPlace event_place() const { return {}; }
-  /// wait_o: bit 0 for what vertices inside still read, bit 1 for room, bit 2 for coefficients.
+  /// wait_o: bit 0 for what vertices inside still read, bit 1 for room; bit 2 is 0.
   virtual std::uint32_t waits() const { return 0; }
   /// upset_o.
   virtual bool upset() const { return false; }
