@@ -4,8 +4,8 @@
 
 Makes in build/packages/ the archive of the sources as git has them, and of that archive the wheels: `pyhwffd`, with the
 libraries that it needs, and `hwffd_rtl`, the simulated hardware. Each is tried in a new folder or in a new environment of
-Python, which see nothing of this checkout: TRIALS. Writes build/reports/packages.json. The exit status is 1 where something
-cannot be built or a trial fails, 2 where the request makes no sense.
+Python, which see nothing of this checkout: TRIALS. The exit status is 1 where something cannot be built or a trial fails,
+and then there is nothing; 2 where the request makes no sense.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -13,7 +13,6 @@ SPDX-License-Identifier: Apache-2.0
 import argparse
 import gzip
 import hashlib
-import json
 import os
 import pathlib
 import re
@@ -24,7 +23,7 @@ import tarfile
 import tempfile
 
 from lab.release import clean_tree
-from tools import command_line, venv_packages, whole_file
+from tools import command_line, venv_packages
 from tools.project_root import ROOT
 from tools.tables import version
 
@@ -149,8 +148,7 @@ TRIALS = ((Packages.archive, (Packages.try_make_sim, Packages.try_fusesoc)), (Pa
 
 
 def work(root):
-    report, target, rows = root / "build" / "reports" / "packages.json", root / "build" / "packages", []
-    report.unlink(missing_ok=True)
+    target, sums = root / "build" / "packages", []
     shutil.rmtree(target, ignore_errors=True)
     (root / "build").mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory(dir=root / "build") as folder:
@@ -160,13 +158,11 @@ def work(root):
             for trial in trials:
                 print(f"packages: {path.name}: {trial.__doc__}", flush=True)
                 trial(packages)
-            content = path.read_bytes()
-            rows.append({"file": path.name, "bytes": len(content), "sha256": hashlib.sha256(content).hexdigest(),
-                         "tried": [trial.__doc__ for trial in trials]})
+            sums.append(f"{hashlib.sha256(path.read_bytes()).hexdigest()}  {path.name}\n")
+        (packages.made / "SHA256SUMS").write_text("".join(sums), encoding="utf-8")
         packages.made.rename(target)
-    whole_file.write(report, json.dumps({"rows": rows}) + "\n")
-    for row in rows:
-        print(f"packages: build/packages/{row['file']}, {row['bytes']:,} bytes, sha256 {row['sha256'][:16]}...")
+    for path in sorted(target.iterdir()):
+        print(f"packages: build/packages/{path.name}, {path.stat().st_size:,} bytes")
     return 0
 
 

@@ -70,12 +70,13 @@ def _bound_of(row, bounds):
 
 
 def routed_cores(reports, *names):
-    """Whole cores that have been routed on ECP5, all or those named, as they are built: clocks and vertices, or gradients,
+    """Whole cores that have been routed on ECP5, all or those named ROW or ROW/TOP, as they are built: clocks and vertices, or gradients,
     a second in any order and along rows of a grid; of `hwffd_adjoint` those of its evaluator.
     """
     bounds, lines = _bounds(reports), []
     for row in reports.rows("synth", target="ecp5"):
-        if not row.get("routed") or row["top"] == EVALUATOR or names and row["name"] not in names:
+        own = {row["name"], f"{row['name']}/{row['top']}"}
+        if not row.get("routed") or row["top"] == EVALUATOR or names and not own & set(names):
             continue
         clocks = [row["fmax_mhz"] * 1e6 / row[field] for field in ("vertices_per_s", "row_vertices_per_s")]
         lines.append([
