@@ -74,7 +74,8 @@ def test_cores_that_have_been_routed_have_both_rates(reports):
          "5.6", "90.0", "2.0e-04"],
         ["`affine-fx17-overlapped+scatter`", "`hwffd_scatter`", "the transpose", "3", "3", "8", "1,504", "29", "90.0",
          "30.0", "30.0", "-"]]
-    (row,) = text_blocks.table(data, "results.cores cg1-fx18-overlapped/hwffd_axi affine-fx17-overlapped+scatter/hwffd_scatter").rows
+    named = "results.cores cg1-fx18-overlapped/hwffd_axi affine-fx17-overlapped+scatter/hwffd_scatter"
+    (row,) = text_blocks.table(data, named).rows
     assert row[2] == "the transpose"
 
 

@@ -70,8 +70,8 @@ def _bound_of(row, bounds):
 
 
 def routed_cores(reports, *names):
-    """Whole cores that have been routed on ECP5, all or those named ROW or ROW/TOP, as they are built: clocks and vertices, or gradients,
-    a second in any order and along rows of a grid; of `hwffd_adjoint` those of its evaluator.
+    """Whole cores that have been routed on ECP5, all or those named ROW or ROW/TOP, as they are built: clocks and
+    vertices, or gradients, a second in any order and along rows of a grid; of `hwffd_adjoint` those of its evaluator.
     """
     bounds, lines = _bounds(reports), []
     for row in reports.rows("synth", target="ecp5"):
