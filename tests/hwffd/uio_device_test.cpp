@@ -47,6 +47,7 @@ class SimulatedAccess final : public CoreAccess {
   }
   std::uint64_t address() const override { return board_.address; }
   std::uint64_t bytes() const override { return board_.bytes; }
+  Cures cures() const override { return {"give more", "see to the board"}; }
   void put(std::uint64_t offset, const Words& words) override {
     ASSERT_LE(offset + 16, board_.bytes);
     board_.system.memory.set_beat(board_.address + offset, words);
@@ -207,11 +208,11 @@ TEST(UioDevice, RefusesInALine) {
   EXPECT_EQ(refused([](Board&) {}, &find_configuration("cg1-fx18-overlapped")),
             "uio:0: is not cg1-fx18-overlapped");
   EXPECT_EQ(refused([](Board& board) { board.bytes = 65536; }),
-            "uio:0: its buffer has 65536 bytes, and 1048576 are needed; give u-dma-buf more");
+            "uio:0: its buffer has 65536 bytes, and 1048576 are needed; give more");
   EXPECT_EQ(refused([](Board& board) { board.address += 16; }),
             "uio:0: its buffer is at 0x140000010, which is no multiple of 4096");
   EXPECT_EQ(refused([](Board& board) { board.interrupt_is_wired = false; }),
-            "uio:0: a run has ended, but no interrupt came for 5 s; see to it in the device tree");
+            "uio:0: a run has ended, but no interrupt came for 5 s; see to the board");
   EXPECT_EQ(refused([](Board& board) { board.latest_interrupt = 0; }),
             "uio:0: a run has not ended after 5 s, 0 of 32 results came");
   EXPECT_EQ(refused([](Board& board) {

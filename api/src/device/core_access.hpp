@@ -21,6 +21,13 @@ class CoreAccess : public RegisterPort {
   /// The address of the buffer as the DMA has it, and its size in bytes.
   virtual std::uint64_t address() const = 0;
   virtual std::uint64_t bytes() const = 0;
+  /// What a user can do, as messages end: for a larger buffer, and for an interrupt that does not
+  /// come.
+  struct Cures {
+    const char* size;
+    const char* interrupt;
+  };
+  virtual Cures cures() const = 0;
   /// 16 bytes of the buffer, at a multiple of 16.
   virtual void put(std::uint64_t offset, const Words& words) = 0;
   virtual Words get(std::uint64_t offset) = 0;

@@ -38,6 +38,10 @@ class SocketAccess final : public CoreAccess {
   }
   std::uint64_t address() const override { return address_; }
   std::uint64_t bytes() const override { return bytes_; }
+  Cures cures() const override {
+    return {"start the process that serves the core with more",
+            "see to the process that serves the core"};
+  }
   void put(std::uint64_t offset, const Words& words) override {
     send_all(CoreRequest{CoreRequest::kPut, 0, offset, words});
   }

@@ -99,6 +99,7 @@ class UioAccess final : public CoreAccess {
   }
   std::uint64_t address() const override { return address_; }
   std::uint64_t bytes() const override { return buffer_.bytes(); }
+  Cures cures() const override { return {"give u-dma-buf more", "see to it in the device tree"}; }
   void put(std::uint64_t offset, const Words& words) override {
     for (std::size_t w = 0; w < words.size(); ++w) buffer_.word(offset + 4 * w) = words[w];
   }

@@ -90,8 +90,8 @@ class UioStream final : public CommandStream {
   void set_up() {
     identity_ = driver_.probe();
     if (access_->bytes() < kFewestBytes) {
-      throw Error(fmt::format("{}: its buffer has {} bytes, and {} are needed; give u-dma-buf more",
-                              name_, access_->bytes(), kFewestBytes));
+      throw Error(fmt::format("{}: its buffer has {} bytes, and {} are needed; {}", name_,
+                              access_->bytes(), kFewestBytes, access_->cures().size));
     }
     if (access_->address() % kRingBytes != 0) {
       throw Error(fmt::format("{}: its buffer is at {:#x}, which is no multiple of {}", name_,
@@ -141,8 +141,9 @@ class UioStream final : public CommandStream {
     if (end > first) return end;
     throw Error(
         fmt::format("{}: its buffer of {} bytes has no room for a packet of {} beats and {} "
-                    "results; give u-dma-buf more",
-                    name_, access_->bytes(), packets[first].count, packets[first].results));
+                    "results; {}",
+                    name_, access_->bytes(), packets[first].count, packets[first].results,
+                    access_->cures().size));
   }
 
   /// Those packets, in one run; their results go to the end of `out`.
@@ -183,10 +184,8 @@ class UioStream final : public CommandStream {
     } while (came && !done);  // it was one of before
     const double seconds = std::chrono::duration<double>(patience_).count();
     if (!came && done) {
-      throw Error(
-          fmt::format("{}: a run has ended, but no interrupt came for {} s; see to it in "
-                      "the device tree",
-                      name_, seconds));
+      throw Error(fmt::format("{}: a run has ended, but no interrupt came for {} s; {}", name_,
+                              seconds, access_->cures().interrupt));
     }
     if (!done) {
       throw Error(fmt::format("{}: a run has not ended after {} s, {} of {} results came", name_,
