@@ -36,7 +36,7 @@ module ffd_scatter_collect #(
   output wire [3*AXIS_W-1:0]            point_cell_o,      // {k, j, i}
   input  wire                           point_take_i,      // the slot begins in the next clock
   input  wire                           slot_point_i,
-  input  wire [1:0]                     slot_component_i,
+  input  wire                           slot_third_i,      // the last component of a point
   input  wire                           slot_epoch_i,      // of its page
   input  wire [`FFD_SCATTER_WORD_W-1:0] word_i,
   output wire                           m_word_valid,
@@ -108,7 +108,7 @@ module ffd_scatter_collect #(
   reg  [1:0] slot_shift_q;
   reg        slot_last_q;
   wire       read_valid;
-  wire [1:0] read_component;
+  wire       read_third;
   wire       read_epoch;
   wire [1:0] read_shift;
   wire       read_last;
@@ -132,13 +132,13 @@ module ffd_scatter_collect #(
   );
 
   ffd_num_delay #(
-    .WIDTH  (6),
+    .WIDTH  (5),
     .LATENCY(`FFD_SCATTER_READ_LATENCY)
   ) u_read (
     .clk(clk),
     .rst(1'b0),
-    .d_i({slot_component_i, slot_epoch_i, slot_shift_q, slot_last_q}),
-    .q_o({read_component, read_epoch, read_shift, read_last})
+    .d_i({slot_third_i, slot_epoch_i, slot_shift_q, slot_last_q}),
+    .q_o({read_third, read_epoch, read_shift, read_last})
   );
 
   // ---- the sum times 8 / 2^shift, of which a narrower drops three bits
@@ -178,7 +178,7 @@ module ffd_scatter_collect #(
   ) u_word_valid (
     .clk(clk),
     .rst(rst),
-    .d_i(read_valid && read_component == 2'd2),
+    .d_i(read_valid && read_third),
     .q_o(word_valid)
   );
 

@@ -348,7 +348,8 @@ module ffd_scatter_core #(
   wire                slot_vertex;
   wire                slot_point;
   wire                slot_sweep;
-  wire [1:0]          slot_component;
+  wire [1:0]          slot_component;  // 0 to 2
+  wire                slot_third = slot_component[1];
   wire [PAGE_W-1:0]   slot_page;
   wire [3*AXIS_W-1:0] slot_cell;
   wire                slot_last;
@@ -465,7 +466,7 @@ module ffd_scatter_core #(
     .point_cell_o    (point_cell),
     .point_take_i    (point_take),
     .slot_point_i    (slot_valid && slot_point),
-    .slot_component_i(slot_component),
+    .slot_third_i    (slot_third),
     .slot_epoch_i    (slot_epoch),
     .word_i          (word),
     .m_word_valid    (m_word_valid),
@@ -494,7 +495,7 @@ module ffd_scatter_core #(
   ) u_written (
     .clk(clk),
     .rst(rst),
-    .d_i(slot_valid && slot_vertex && slot_component == 2'd2),
+    .d_i(slot_valid && slot_vertex && slot_third),
     .q_o(written)
   );
 
