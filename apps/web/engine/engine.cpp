@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "hwffd/error.hpp"
@@ -20,15 +19,15 @@ namespace {
 constexpr std::size_t kBatch = 65'536;  // vertices at once: a multiple of kPacketVertices
 
 /// Counts the words of the core that differ from the model's, of these vertices.
-void compare(Deformed& deformed, const std::vector<std::size_t>& vertices,
-             const std::vector<Beat>& rtl, const std::vector<Beat>& model) {
+void compare(Deformed& deformed, std::size_t first, const std::vector<Beat>& rtl,
+             const std::vector<Beat>& model) {
   deformed.words += 4 * model.size();
   for (std::size_t v = 0; v < model.size(); ++v) {
     for (int word = 0; word < 4; ++word) {
       const std::uint32_t got = rtl[v].words[word];
       const std::uint32_t expected = model[v].words[word];
       if (got == expected) continue;
-      if (deformed.mismatches++ == 0) deformed.first = Mismatch{vertices[v], word, got, expected};
+      if (deformed.mismatches++ == 0) deformed.first = Mismatch{first + v, word, got, expected};
     }
   }
 }
@@ -114,33 +113,28 @@ void Engine::check_mesh() const {
   if (!has_mesh()) throw Error("lattice: there is no mesh that it is around; give one first");
 }
 
-Traffic Engine::deform(std::vector<std::size_t> vertices, const StreamWords& words,
+Traffic Engine::deform(std::size_t first, std::size_t end, const StreamWords& words,
                        std::vector<Beat> commands, Deformed& deformed) {
-  std::vector<Embedded> embedded;
-  embedded.reserve(vertices.size());
-  for (const std::size_t vertex : vertices) embedded.push_back(embedded_[vertex]);
+  const std::vector<Embedded> embedded(embedded_.begin() + static_cast<std::ptrdiff_t>(first),
+                                       embedded_.begin() + static_cast<std::ptrdiff_t>(end));
   std::vector<Beat> packets = vertices_packets(vertex_beats(embedded, words.codec));
   append(commands, packets);
   std::vector<Beat> expected = model_->run(commands);
   const Answers answers = core_->run(commands, expected.size());
-  compare(deformed, vertices, answers.beats, expected);
-  const Points positions = positions_of(answers.beats, words.codec, words.normalization);
-  for (std::size_t v = 0; v < vertices.size(); ++v) {
-    deformed.positions.row(static_cast<Eigen::Index>(vertices[v])) =
-        positions.row(static_cast<Eigen::Index>(v));
-  }
+  compare(deformed, first, answers.beats, expected);
+  deformed.positions.middleRows(static_cast<Eigen::Index>(first),
+                                static_cast<Eigen::Index>(end - first)) =
+      positions_of(answers.beats, words.codec, words.normalization);
   if (deformed.clocks == 0) deformed.first_result = answers.first;
   deformed.clocks += answers.clocks;
   deformed.saturated += static_cast<std::uint64_t>(
       std::count_if(answers.beats.begin(), answers.beats.end(), is_saturated));
-  return {std::move(packets), std::move(expected), std::move(vertices)};
+  return {std::move(packets), std::move(expected)};
 }
 
 Traffic Engine::rows(const WordCodec& codec) {
-  const std::vector<VertexBeat> vertices = grid_vertices(rows_of(dims_), dims_, codec);
-  Traffic traffic{vertices_packets(vertices), {}, std::vector<std::size_t>(vertices.size())};
+  Traffic traffic{vertices_packets(grid_vertices(rows_of(dims_), dims_, codec)), {}};
   traffic.results = model_->run(traffic.commands);
-  std::iota(traffic.vertices.begin(), traffic.vertices.end(), std::size_t{0});
   return traffic;
 }
 
@@ -152,19 +146,17 @@ Deformed Engine::deform() {
   if (inside_->begun()) core_->reset();
   std::vector<Beat> commands = coefficients_packet(watertight_bspline(codec), codec);
   append(commands, lattice_packet(lattice_words(*lattice_, codec, words.normalization)));
-  std::vector<std::size_t> all(embedded_.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
+  const std::size_t all = embedded_.size();
   Deformed deformed;
   deformed.positions.resizeLike(positions_);
   std::optional<Traffic> first;
-  for (auto next = all.begin(); next != all.end();) {
-    const auto end = next + std::min<std::ptrdiff_t>(all.end() - next, kBatch);
-    Traffic traffic = deform({next, end}, words, std::move(commands), deformed);
+  for (std::size_t next = 0; next < all; next += kBatch) {
+    const std::size_t end = std::min<std::size_t>(next + kBatch, all);
+    Traffic traffic = deform(next, end, words, std::move(commands), deformed);
     commands.clear();
     if (!first) first = std::move(traffic);
-    next = end;
   }
-  const std::size_t gaps = std::max<std::size_t>(all.size(), 2) - 1;
+  const std::size_t gaps = std::max<std::size_t>(all, 2) - 1;
   deformed.clocks_per_vertex =
       static_cast<double>(deformed.clocks - deformed.first_result) / static_cast<double>(gaps);
   inside_->begin(walks(*row_) ? rows(codec) : std::move(*first));

@@ -77,8 +77,9 @@ class Engine {
     WordCodec codec;
     Normalization normalization;
   };
-  /// Sends some vertices behind commands, and adds what comes back. Returns what was sent of them.
-  Traffic deform(std::vector<std::size_t> vertices, const StreamWords& words,
+  /// Sends the vertices from `first` to before `end` behind commands, and adds what comes back.
+  /// Returns what was sent of them.
+  Traffic deform(std::size_t first, std::size_t end, const StreamWords& words,
                  std::vector<Beat> commands, Deformed& deformed);
   /// What goes through an organization that walks: rows of vertices of the lattice that it has.
   Traffic rows(const WordCodec& codec);

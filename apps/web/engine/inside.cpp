@@ -36,13 +36,13 @@ bool holds(const cores::Lane& lane, std::uint64_t clock) {
 
 /// What of a lane lies in some clocks, counted from the first of them.
 cores::Lane within(const cores::Lane& lane, std::uint64_t begin, std::uint64_t end,
-                   const std::vector<std::size_t>& vertices) {
+                   std::size_t vertices) {
   cores::Lane cut{lane.name, {}};
   for (const cores::Lane::Span& span : lane.spans) {
     const std::uint64_t from = std::max(span.begin, begin);
     const std::uint64_t to = std::min(span.end, end);
     if (from >= to) continue;
-    cut.spans.push_back({from - begin, to - begin, vertices[span.vertex % vertices.size()]});
+    cut.spans.push_back({from - begin, to - begin, span.vertex % vertices});
   }
   return cut;
 }
@@ -140,7 +140,7 @@ Snapshot Inside::snapshot() const {
   }
   shown.first_clock = shown.clock > kTimeline ? shown.clock - kTimeline : 0;
   for (const cores::Lane& lane : lanes) {
-    shown.lanes.push_back(within(lane, shown.first_clock, shown.clock, traffic_.vertices));
+    shown.lanes.push_back(within(lane, shown.first_clock, shown.clock, traffic_.results.size()));
   }
   return shown;
 }

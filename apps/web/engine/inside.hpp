@@ -18,8 +18,7 @@ namespace hwffd::web {
 /// must come back.
 struct Traffic {
   std::vector<Beat> commands;
-  std::vector<Beat> results;
-  std::vector<std::size_t> vertices;  ///< the number of each in the mesh, or in its rows
+  std::vector<Beat> results;  ///< one a vertex, in the order of the mesh or of its rows
 };
 
 /// A core in one of its clocks, and what its last clocks were.
