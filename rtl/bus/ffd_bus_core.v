@@ -298,7 +298,6 @@ module ffd_bus_core #(
     .wait_input_i            (waits[0 +: 32]),
     .wait_memory_i           (waits[32 +: 32]),
     .wait_evaluator_i        (waits[64 +: 32]),
-    .wait_forming_i          (32'd0),
     .wait_read_i             (waits[96 +: 32]),
     .wait_write_i            (waits[128 +: 32]),
     .error_any_i             (error_any),

@@ -104,7 +104,6 @@ module ffd_bus_registers #(
   input  wire [31:0] wait_input_i,
   input  wire [31:0] wait_memory_i,
   input  wire [31:0] wait_evaluator_i,
-  input  wire [31:0] wait_forming_i,
   input  wire [31:0] wait_read_i,
   input  wire [31:0] wait_write_i,
   input  wire        error_any_i,
@@ -831,7 +830,7 @@ module ffd_bus_registers #(
     ({32 {at_wait_input_q}} & wait_input_i) |
     ({32 {at_wait_memory_q}} & wait_memory_i) |
     ({32 {at_wait_evaluator_q}} & wait_evaluator_i) |
-    ({32 {at_wait_forming_q}} & wait_forming_i) |
+    ({32 {at_wait_forming_q}} & 32'h0) |
     ({32 {at_wait_read_q}} & wait_read_i) |
     ({32 {at_wait_write_q}} & wait_write_i) |
     ({32 {at_error_status_q}} & {2'h0, error_status_q}) |

@@ -22,7 +22,7 @@ COLUMNS = ("offset", "register", "field", "bits", "access", "reset", "link", "de
 
 # access -> the links that it may have
 ACCESSES = {
-    "const": (), "ro": ("if",), "log": (), "counter": (),
+    "const": ("if",), "ro": ("if",), "log": (), "counter": (),
     "rw": ("locked", "if"), "w1s": (), "w1": ("unless", "needs", "refused", "sets"),
     "w1c": ("with", "if"), "event": (),
 }
