@@ -26,7 +26,7 @@ class Model:
     flags: tuple     # for the compiler
 
 
-def _commands(build, target):
+def commands(build, target):
     answer = subprocess.run(["ninja", "-C", str(build), "-t", "commands", target], check=False,
                             capture_output=True, text=True)
     if answer.returncode:
@@ -36,7 +36,7 @@ def _commands(build, target):
 
 def model(build, library):
     """The model in a library."""
-    lines = [line for line in _commands(build, library) if "verilate.sh" in line]
+    lines = [line for line in commands(build, library) if "verilate.sh" in line]
     if not lines:
         raise MutantError(f"{library} is not verilated")
     words = shlex.split(lines[-1].split("&&")[1])
@@ -48,7 +48,7 @@ def model(build, library):
 
 def link(build, program, library, other, out):
     """Links a program once more, with another library in place of one."""
-    line = _commands(build, program)[-1]
+    line = commands(build, program)[-1]
     step = next((part for part in line.split("&&") if f" -o {program}" in part), "")
     if f" {library}" not in step:
         raise MutantError(f"{program} does not link {library}")

@@ -18,4 +18,4 @@ def test_what_a_subject_names_is_there(arguments, subject):
     (build,) = map(pathlib.Path, arguments)
     assert built.model(build, subject["library"]).top
     for program in filter(None, (subject["program"], subject["late"])):
-        assert built._commands(build, program)
+        assert built.commands(build, program)
