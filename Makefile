@@ -49,7 +49,7 @@ help:
 	@echo '  make test-all       every configuration, and the long tests'
 	@echo '  make test-synth     what yosys makes of the RTL: the scripts of synthesis, a netlist in simulation'
 	@echo '  make fuzz           readers of files on broken input, under sanitizers'
-	@echo '  make lint           Verilator, Icarus, yosys, clang, ruff and text rules: no warning is allowed'
+	@echo '  make lint           Verilator, Icarus, yosys, clang, ruff and text rules, and the tests of these checks'
 	@echo '  make random         N= cores of random parameters on random packets, from SEED= on'
 	@echo 'Build hardware'
 	@echo '  make synth          size on FPGAs and in standard cells, by yosys (half an hour)'
@@ -178,7 +178,7 @@ test-all:
 	$(INSTALL) test-all
 	$(CONFIGURE)
 	$(COMPILE)
-	@$(call run_tests,tests) -L '^(test|all|synth|fuzz)$$'
+	@$(call run_tests,tests) -L '^(test|all|synth|fuzz|lint)$$'
 
 test-synth:
 	$(INSTALL) test-synth
@@ -205,6 +205,7 @@ lint:
 	$(INSTALL) build lint
 	$(CONFIGURE)
 	@python3 -B -m tools.checks.lint -j $(JOBS)
+	@$(call run_tests,lint) -L '^lint$$'
 
 clean:
 	@rm -rf build build-trace

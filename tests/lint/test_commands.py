@@ -66,8 +66,8 @@ def test_exit_status_is_shown(make, status):
     assert re.search(rf"\Amake: \*\*\* \[Makefile:\d+: sim\] Error {status}\n\Z", errors)
 
 
-@pytest.mark.parametrize("target, label", (("test", "^test$"), ("test-all", "^(test|all|synth|fuzz)$"), ("test-synth", "^synth$"),
-                                           ("fuzz", "^fuzz$")))
+@pytest.mark.parametrize("target, label", (("test", "^test$"), ("test-all", "^(test|all|synth|fuzz|lint)$"), ("test-synth", "^synth$"),
+                                           ("fuzz", "^fuzz$"), ("lint", "^lint$")))
 def test_tests_end_with_ctest(make, target, label):
     last = make(target)[1][-1]
     assert last.startswith("ctest ") and last.endswith(f" -L {label}")

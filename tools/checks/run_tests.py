@@ -93,7 +93,7 @@ def main(report, *words):
         skipped = sum(not count for _, count, _ in not_run) + sum(senseless.values())
         tests_tables.collect(report, skipped)
     if not allowed and os.environ.get("CI"):
-        lines.append("Skips for want of a package are failures here: tools/install test test-synth")
+        lines.append("Skips for want of a package are failures here: tools/install test test-synth lint")
         status = status or 1
     text = "\n".join(lines) + "\n\n" + closing
     report.with_suffix(".closing").write_text(text, encoding="utf-8")
