@@ -11,15 +11,17 @@
 #include <vector>
 
 #include "Vscatter_core_fx12.h"
-#include "Vscatter_core_fx17.h"
 #include "Vscatter_core_fx17_powers.h"
-#include "Vscatter_core_fx18.h"
 #include "Vscatter_core_rows_fx12.h"
 #include "Vscatter_core_rows_fx17_powers.h"
-#include "Vscatter_core_rows_fx18.h"
 #include "hwffd/stream/blending.hpp"
 #include "scatter_core_bench.hpp"
 #include "share.hpp"
+#ifdef HWFFD_TIER_ALL
+#include "Vscatter_core_fx17.h"
+#include "Vscatter_core_fx18.h"
+#include "Vscatter_core_rows_fx18.h"
+#endif
 
 namespace hwffd::test {
 namespace {
@@ -35,13 +37,16 @@ struct Setup {
   static constexpr int kAxisBits = Axis > 16 ? 5 : 4;
   static constexpr int kPlaces = Axis > 16 ? 512 : Axis > 8 ? 64 : 8;  ///< of a page, in a bank
 };
-using Setups = ::testing::Types<Setup<Vscatter_core_fx12, 12, false, 2, 1, 8, 3>,
-                                Setup<Vscatter_core_fx17, 17, false, 4, 1, 16, 2>,
-                                Setup<Vscatter_core_fx17_powers, 17, true, 4, 1, 16, 2>,
-                                Setup<Vscatter_core_fx18, 18, false, 3, 2, 20, 1>,
-                                Setup<Vscatter_core_rows_fx12, 12, false, 2, 1, 8, 3, true>,
-                                Setup<Vscatter_core_rows_fx17_powers, 17, true, 4, 1, 16, 2, true>,
-                                Setup<Vscatter_core_rows_fx18, 18, false, 3, 2, 20, 1, true>>;
+using Setups = ::testing::Types<
+#ifdef HWFFD_TIER_ALL
+    Setup<Vscatter_core_fx17, 17, false, 4, 1, 16, 2>,
+    Setup<Vscatter_core_fx18, 18, false, 3, 2, 20, 1>,
+    Setup<Vscatter_core_rows_fx18, 18, false, 3, 2, 20, 1, true>,
+#endif
+    Setup<Vscatter_core_fx12, 12, false, 2, 1, 8, 3>,
+    Setup<Vscatter_core_fx17_powers, 17, true, 4, 1, 16, 2>,
+    Setup<Vscatter_core_rows_fx12, 12, false, 2, 1, 8, 3, true>,
+    Setup<Vscatter_core_rows_fx17_powers, 17, true, 4, 1, 16, 2, true>>;
 
 struct Name {
   template <class S>

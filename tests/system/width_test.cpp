@@ -429,7 +429,7 @@ struct JacobianBus {
 };
 struct JetBus {
   using Dut = Vbus_jet;
-  static constexpr const char* kRow = "jet3-bfp32-overlapped";
+  static constexpr const char* kRow = "jet3-fx18-overlapped";
   static constexpr std::uint32_t kFeatures =
       kBusFeatures & ~std::uint32_t{model::kDeterminantFeature};
 };
