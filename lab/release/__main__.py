@@ -1,9 +1,9 @@
 """make results: all studies, one after the other, on one commit without local changes, for a release.
 
-    python3 -m lab.release [--root FOLDER] [--studies FILE]
+    python3 -m lab.release [--root FOLDER] [--studies FILE] [--only NAME,...]
 
 What a study has measured goes to build/results/COMMIT/NAME.json as soon as its command has ended; what is there is not
-measured again. When the last has ended all go to docs/results/VERSION/. The exit status is 1 where a study fails or its
+measured again; --only measures some of them now. When the last has ended all go to docs/results/VERSION/. The exit status is 1 where a study fails or its
 report is not whole, 2 where the request makes no sense.
 
 SPDX-License-Identifier: Apache-2.0
@@ -166,11 +166,15 @@ def tell(text):
 
 def work(options, root):
     release = Release(root, read(options.studies))
+    only = set(options.only.split(",")) if options.only else set(release.names)
+    if (unknown := sorted(only - set(release.names))):
+        raise command_line.Request(f"no study {unknown[0]!r}: one of {', '.join(release.names)}")
     wrong, left = [], [(command, rows) for command, rows in release.studies.items()
                        if not all([release.is_measured(name) for name, _ in rows])]
     tell(f"{release.version}, commit {release.commit[:12]}: {len(release.studies) - len(left)} of {len(release.studies)} "
          "commands have been run")
-    for number, (command, rows) in enumerate(left, len(release.studies) - len(left) + 1):
+    now = [(command, rows) for command, rows in left if only & set(dict(rows))]
+    for number, (command, rows) in enumerate(now, len(release.studies) - len(left) + 1):
         tell(f"{number} of {len(release.studies)}: {command}")
         start = time.monotonic()
         complaint = release.measure(command, rows) or next(filter(None, map(release.lacking, dict(rows))), "")
@@ -183,6 +187,9 @@ def work(options, root):
         print(f"results: {complaint}", file=sys.stderr)
     if wrong:
         return 1
+    if len(now) < len(left):
+        tell(f"{len(left) - len(now)} of {len(release.studies)} commands are left")
+        return 0
     release.publish()
     tell(f"wrote {release.target.relative_to(root)}; the texts follow by python3 -m lab.figures write --version {release.version}")
     return 0
@@ -192,6 +199,7 @@ def main():
     parser = argparse.ArgumentParser(prog="results", description="Measures all studies on one commit.")
     parser.add_argument("--root", type=pathlib.Path, default=ROOT, help="checkout to measure")
     parser.add_argument("--studies", type=pathlib.Path, default=STUDIES, help="table of studies")
+    parser.add_argument("--only", default="", metavar="NAME,...", help="studies to measure now, of those that are left")
     options = parser.parse_args()
     return command_line.ended(parser.prog, lambda: work(options, options.root.absolute()), (results.RequestError, csv_table.TableError))
 

@@ -43,8 +43,8 @@ def command(tree):
 @pytest.fixture
 def measured(tree):
     """(exit status, lines printed, complaints, what was run) of make results."""
-    def run():
-        status, out, errors = tree.run(*command(tree))
+    def run(*words):
+        status, out, errors = tree.run(*command(tree), *words)
         ran = tree.root / "build" / "ran"
         words = ran.read_text().splitlines() if ran.is_file() else []
         ran.unlink(missing_ok=True)
@@ -78,6 +78,16 @@ def test_what_is_measured_is_not_measured_again(tree, measured):
     assert not (tree.root / "docs").exists()
     tree.put({"build/fails": None})
     assert measured()[::3] == (0, ["b c"])
+
+
+def test_some_of_them(tree, measured):
+    status, out, errors, ran = measured("--only", "c")
+    assert (status, errors, ran, out[-1]) == (0, [], ["b c"], "results: 1 of 2 commands are left")
+    assert not (tree.root / "docs").exists()
+    assert measured("--only", "c")[3] == []
+    assert measured("--only", "a,x")[2] == ["results: no study 'x': one of a, b, c"]
+    status, out, _, ran = measured("--only", "a")
+    assert (status, ran) == (0, ["a"]) and out[-1].startswith("results: wrote docs/results/1.2.3")
 
 
 def test_a_change_is_refused(tree, measured):
