@@ -51,7 +51,8 @@ module ffd_bench_evaluator #(
   input  wire         m_result_ready,
   output wire [383:0] m_result_words,
   output wire [7:0]   m_result_flags,  // {nan, saturated} of each
-  output wire [15:0]  m_result_tag
+  output wire [15:0]  m_result_tag,
+  output wire         evaluating_o         // vertices are inside, or were a clock ago
 );
   localparam WEIGHT_W = `FFD_WEIGHT_W(FORMAT);
   localparam POINT_W  = `FFD_POINT_W(FORMAT);
@@ -118,7 +119,6 @@ module ffd_bench_evaluator #(
   wire        determinant;
   wire        result_two;
   wire        result_last;
-  wire        evaluating;
   wire [PORTS-1:0]    read;
   wire [PORTS-1:0]    read_last;
   wire [PORTS*8-1:0]  read_source;
@@ -177,7 +177,7 @@ module ffd_bench_evaluator #(
     .read_cell_o         (read_cell),
     .read_index_o        (read_index),
     .read_points_i       (points_q),
-    .evaluating_o        (evaluating),
+    .evaluating_o        (evaluating_o),
     .m_result_valid      (m_result_valid),
     .m_result_ready      (m_result_ready),
     .m_result_words      (result_words),
@@ -205,8 +205,8 @@ module ffd_bench_evaluator #(
     end
   endgenerate
 
-  wire unused_ok = &{1'b0, determinant, result_two, result_last, result_flags, evaluating, read, read_last, read_cell,
-                     numbers, result_second};
+  wire unused_ok = &{1'b0, determinant, result_two, result_last, result_flags, read, read_last, read_cell, numbers,
+                     result_second};
 endmodule
 
 `default_nettype wire

@@ -199,7 +199,7 @@ module ffd_eval_stream #(
 
   // Which column a sum is of, and the exponent of its points: where there is such a thing.
   localparam BLOCK  = `FFD_FORMAT_BLOCK(FORMAT);
-  localparam SIDE_W = 2 + `FFD_EXPONENT_W;
+  localparam SIDE_W = 2 + (BLOCK ? `FFD_EXPONENT_W : 0);
   wire [1:0]                 column;
   wire [`FFD_EXPONENT_W-1:0] exponent;
 
@@ -208,8 +208,17 @@ module ffd_eval_stream #(
       // A clock later: no sum comes so soon.
       wire              sides_ready;
       wire              side_valid;
+      wire [SIDE_W-1:0] side;
       reg  [SIDE_W-1:0] side_q;
-      always @(posedge clk) side_q <= {s_vertex_column, s_vertex_exponent};
+      if (BLOCK) begin : gen_exponents
+        always @(posedge clk) side_q <= {s_vertex_exponent, s_vertex_column};
+        assign exponent = side[2 +: `FFD_EXPONENT_W];
+      end else begin : gen_columns
+        always @(posedge clk) side_q <= s_vertex_column;
+        assign exponent = `FFD_EXPONENT_W'd0;
+        wire unused_exponent = &{1'b0, s_vertex_exponent};
+      end
+      assign column = side[1:0];
       ffd_stream_queue #(
         .WIDTH(SIDE_W),
         .DEPTH(IN_FLIGHT)
@@ -221,7 +230,7 @@ module ffd_eval_stream #(
         .s_word_data (side_q),
         .m_word_valid(side_valid),
         .m_word_ready(sum_valid),
-        .m_word_data ({column, exponent})
+        .m_word_data (side)
       );
       wire unused_ok = &{1'b0, sides_ready, side_valid};
       `FFD_ASSERT(a_vertex_comes_and_the_queue_is_full, !entered_q || sides_ready)

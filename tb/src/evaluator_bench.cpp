@@ -9,6 +9,7 @@ namespace hwffd::tb {
 namespace {
 
 constexpr std::uint64_t kStallLimit = 20'000;   // clocks without a result
+constexpr int kUntilIdle = 3;                   // clocks behind the last result
 constexpr unsigned kBankOfEachAxis = 0b010101;  // of {derivative, bank} of u, t, s
 constexpr unsigned kDerivative = 2;             // of an axis's {derivative, bank}
 constexpr unsigned kJacobian = 0b101010;        // that of each axis
@@ -113,24 +114,41 @@ void EvaluatorBench::simulate(const EvaluatorStimulus& stimulus, Throttle& sourc
     const bool ready = sink.willing();
     core_.drive_vertex(offered, offered ? pins_of(stimulus, sent) : cores::EvaluatorCore::Vertex{});
     core_.drive_result_ready(ready);
-    core_.settle();
+    settle();
     if (recorder != nullptr) recorder->sample(clock_);
     if (offered && core_.vertex_ready()) {
       starts_.push_back(clock_);
       ++sent;
+      ++entered_;
       offered = false;
     }
     if (ready && core_.result_valid()) {
       result_clocks_.push_back(clock_);
+      ++left_;
       take(core_.result());
       last_result = clock_;
     }
-    core_.clock();
-    if (++clock_ - last_result > kStallLimit) {
+    clock();
+    if (clock_ - last_result > kStallLimit) {
       throw std::runtime_error(fmt::format("no result for {} clocks", kStallLimit));
     }
   }
   core_.drive_vertex(false, {});
+  core_.drive_result_ready(false);
+  for (int i = 0; i < kUntilIdle; ++i) {
+    settle();
+    clock();
+  }
+}
+
+/// The core counts who came and who left a clock later, and says "inside" once more.
+void EvaluatorBench::settle() {
+  core_.settle();
+  const bool inside = entered_ > left_before_;
+  left_before_ = left_;
+  if (core_.evaluating() == inside || ++mismatches_ > 1) return;
+  first_mismatch_ = fmt::format("clock {}: evaluating_o is {}, {} vertices have come, {} have gone",
+                                clock_, inside ? 0 : 1, entered_, left_);
 }
 
 void EvaluatorBench::take(const cores::EvaluatorCore::Result& result) {

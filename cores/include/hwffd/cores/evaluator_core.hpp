@@ -63,6 +63,8 @@ class EvaluatorCore {
   virtual bool vertex_ready() const = 0;
   virtual bool result_valid() const = 0;
   virtual Result result() const = 0;
+  /// Whether vertices are inside, or were a clock ago.
+  virtual bool evaluating() const = 0;
 
   /// By instance, then by signal.
   virtual std::vector<Probe> probes() const = 0;

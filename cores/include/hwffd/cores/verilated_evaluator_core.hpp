@@ -86,6 +86,7 @@ class VerilatedEvaluatorCore final : public EvaluatorCore {
     }
     return result;
   }
+  bool evaluating() const override { return dut_->evaluating_o != 0; }
 
   std::vector<Probe> probes() const override {
     std::vector<Probe> probes;

@@ -17,7 +17,8 @@
 namespace hwffd::tb {
 
 /// An evaluator at its read port: vertices offered one a clock, every result compared with the
-/// model, the clock of each start and result kept.
+/// model, the clock of each start and result kept; in each clock the core says whether vertices are
+/// inside, which is compared, too.
 class EvaluatorBench {
  public:
   /// Functions and derivatives of s, t and u.
@@ -40,6 +41,7 @@ class EvaluatorBench {
 
   /// Results, of which a vertex that wants its Jacobian has four, and one with a second has two.
   std::uint64_t checked() const { return checked_; }
+  /// Wrong results, and clocks in which the core was wrong about vertices inside.
   std::uint64_t mismatches() const { return mismatches_; }
   const std::string& first_mismatch() const { return first_mismatch_; }
   /// Of the runs so far, in order.
@@ -53,6 +55,11 @@ class EvaluatorBench {
   void write_supports(const std::vector<SupportWords>& supports);
   void simulate(const EvaluatorStimulus& stimulus, Throttle& source, Throttle& sink,
                 ScheduleRecorder* recorder);
+  void settle();
+  void clock() {
+    core_.clock();
+    ++clock_;
+  }
   void take(const cores::EvaluatorCore::Result& result);
   void compare(const EvaluatorStimulus& stimulus, std::size_t first);
   void compare_result(const EvaluatorStimulus& stimulus, std::size_t index, int derivative,
@@ -63,6 +70,9 @@ class EvaluatorBench {
   model::EvaluatorModel& model_;
   FaultInjector fault_;
   std::uint64_t clock_ = 0;
+  std::uint64_t entered_ = 0;      // vertices
+  std::uint64_t left_ = 0;         // results
+  std::uint64_t left_before_ = 0;  // the same a clock ago
   std::uint64_t checked_ = 0;
   std::uint64_t mismatches_ = 0;
   double seconds_ = 0;
