@@ -803,7 +803,7 @@ module ffd_bus_registers #(
   assign s_read_data =
     ({32 {at_stored_q}} & stored_word) |
     ({32 {at_id_q}} & 32'h48464644) |
-    ({32 {at_version_q}} & {16'h0, 8'h2, 8'h0}) |
+    ({32 {at_version_q}} & {16'h0, 8'h3, 8'h0}) |
     ({32 {at_config_q}} & {2'h0, config_evaluator_i, 3'h0, config_schedule_i, config_format_i,
       config_n_i, config_org_i}) |
     ({32 {at_limits_q}} & {2'h0, limits_grid_limit_i, limits_points_axis_i, limits_in_flight_i}) |

@@ -6,12 +6,12 @@
 #define HWFFD_VERSION_H
 
 #define HWFFD_VERSION_MAJOR 0
-#define HWFFD_VERSION_MINOR 2
+#define HWFFD_VERSION_MINOR 3
 #define HWFFD_VERSION_PATCH 0
-#define HWFFD_VERSION "0.2.0"
+#define HWFFD_VERSION "0.3.0"
 
 /* One number that grows with the version: 10203 is 1.2.3. */
-#define HWFFD_VERSION_NUMBER 200
+#define HWFFD_VERSION_NUMBER 300
 /* Whether the headers are of that version or a later one, in #if too. */
 #define HWFFD_VERSION_AT_LEAST(major, minor, patch) \
   (HWFFD_VERSION_NUMBER >= (major)*10000 + (minor)*100 + (patch))

@@ -3,4 +3,4 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-VERSION = "0.2.0"
+VERSION = "0.3.0"
