@@ -148,6 +148,9 @@ TRIALS = ((Packages.archive, (Packages.try_make_sim, Packages.try_fusesoc)), (Pa
 
 
 def work(root):
+    notes = f"docs/releases/{version.read(root)}.md"
+    if not (root / notes).is_file():
+        raise Broken(f"{notes} is not there: a release has a page of notes")
     target, sums = root / "build" / "packages", []
     shutil.rmtree(target, ignore_errors=True)
     (root / "build").mkdir(exist_ok=True)

@@ -26,7 +26,8 @@ def fails(made):
 @pytest.fixture
 def packed(checkout, call, monkeypatch):
     """(exit status, lines printed, complaints) with these trials."""
-    checkout.put({"VERSION": "1.2.3\n", ".gitignore": "build\nuntracked\n", "a.v": "module a;\n", "untracked": ""})
+    checkout.put({"VERSION": "1.2.3\n", ".gitignore": "build\nuntracked\n", "a.v": "module a;\n", "docs/releases/1.2.3.md": "new\n",
+                  "untracked": ""})
     checkout.git("init", "--quiet")
     checkout.commit()
     monkeypatch.setenv("HWFFD_X", "1")
@@ -47,7 +48,14 @@ def test_the_archive_is_what_git_has_and_the_same_each_time(checkout, packed):
         sums.add(checkout.text("build/packages/SHA256SUMS"))
     assert sums == {f"{hashlib.sha256(path.read_bytes()).hexdigest()}  {path.name}\n"}
     with tarfile.open(path) as file:
-        assert sorted(file.getnames()) == [f"hwffd-1.2.3{name}" for name in ("", "/.gitignore", "/VERSION", "/a.v")]
+        assert sorted(file.getnames()) == [f"hwffd-1.2.3{name}" for name in (
+            "", "/.gitignore", "/VERSION", "/a.v", "/docs", "/docs/releases", "/docs/releases/1.2.3.md")]
+
+
+def test_a_release_has_notes(checkout, packed):
+    (checkout.root / "docs" / "releases" / "1.2.3.md").unlink()
+    assert packed(tried) == (1, [], ["packages: docs/releases/1.2.3.md is not there: a release has a page of notes"])
+    assert not (checkout.root / "build" / "packages").exists()
 
 
 def test_a_trial_that_fails_is_one_line(checkout, packed):
