@@ -21,10 +21,11 @@ TESTS, CMAKE, BUILD, PYTHON = sys.argv[1:]
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLES = ROOT / "examples"
 
-PROJECT = """cmake_minimum_required(VERSION 3.18)
+VERSION = (ROOT / "VERSION").read_text(encoding="utf-8").rpartition(".")[0]  # its first two numbers
+PROJECT = f"""cmake_minimum_required(VERSION 3.18)
 project(stranger LANGUAGES C CXX)
 set(CMAKE_CXX_STANDARD 17)
-find_package(hwffd 0.2 REQUIRED COMPONENTS core gl)
+find_package(hwffd {VERSION} REQUIRED COMPONENTS core gl)
 add_executable(deform_c deform.c)
 target_link_libraries(deform_c PRIVATE hwffd::hwffd)
 add_executable(deform_cpp deform.cpp)
@@ -34,9 +35,9 @@ target_link_libraries(drive PRIVATE hwffd::hwffd)
 add_executable(glffd glffd.c)
 target_link_libraries(glffd PRIVATE hwffd::gl m)
 """
-CORE = """cmake_minimum_required(VERSION 3.18)
+CORE = f"""cmake_minimum_required(VERSION 3.18)
 project(core LANGUAGES C)
-find_package(hwffd 0.2 REQUIRED COMPONENTS {})
+find_package(hwffd {VERSION} REQUIRED COMPONENTS {{}})
 add_executable(deform_c deform.c)
 target_link_libraries(deform_c PRIVATE hwffd::core)
 """
