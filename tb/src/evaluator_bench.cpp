@@ -144,11 +144,11 @@ void EvaluatorBench::simulate(const EvaluatorStimulus& stimulus, Throttle& sourc
 /// The core counts who came and who left a clock later, and says "inside" once more.
 void EvaluatorBench::settle() {
   core_.settle();
-  const bool inside = entered_ > left_before_;
+  const bool evaluating = core_.evaluating(), inside = entered_ > left_before_;
   left_before_ = left_;
-  if (core_.evaluating() == inside || ++mismatches_ > 1) return;
+  if (evaluating == inside || ++mismatches_ > 1) return;
   first_mismatch_ = fmt::format("clock {}: evaluating_o is {}, {} vertices have come, {} have gone",
-                                clock_, inside ? 0 : 1, entered_, left_);
+                                clock_, evaluating ? 1 : 0, entered_, left_);
 }
 
 void EvaluatorBench::take(const cores::EvaluatorCore::Result& result) {

@@ -429,7 +429,7 @@ struct JacobianBus {
 };
 struct JetBus {
   using Dut = Vbus_jet;
-  static constexpr const char* kRow = "jet3-fx18-overlapped";
+  static constexpr const char* kRow = HWFFD_JET;  // CMakeLists.txt
   static constexpr std::uint32_t kFeatures =
       kBusFeatures & ~std::uint32_t{model::kDeterminantFeature};
 };
