@@ -6,8 +6,8 @@
 
 Runs tests that take their traffic from a seed (traffic.csv), one seed after the other, each with all
 kinds, to the end of the seed in which the time is over; first the seeds of the corpus, those that once found a fault. A seed that finds one is added to
-the corpus. The seeds go on where the last run ended, build/soak/next.json. Writes
-FOLDER/reports/soak.json. The exit status is 1 where a test failed or nothing was run. A part is a seed
+the corpus. The seeds go on where the last run ended, build/soak/next.json, and a soak that was interrupted goes on
+with the hours and counts that it had. Writes FOLDER/reports/soak.json. The exit status is 1 where a test failed or nothing was run. A part is a seed
 with all kinds, run anywhere; joined, parts are the report, and faults come into the corpus.
 
 SPDX-License-Identifier: Apache-2.0
@@ -21,6 +21,7 @@ import time
 
 from lab.soak import seeds
 from lab.soak.corpus import Corpus, FaultySeed, traffic
+from lab.soak.interrupted import Interrupted
 from lab.soak.runs import Round, SoakError, Sums, run_round
 from tools import command_line, job_pool
 from tools.project_root import ROOT
@@ -49,26 +50,32 @@ def run(options, rounds, sums, keep):
 def soak(options, kinds, corpus, sums):
     """Runs the corpus, then each new seed with each kind of traffic until the time is over: how many
     hours it took."""
+    interrupted = Interrupted(options.build / "soak", [options.build / kind.program for kind in kinds.values()])
+    hours, counted = interrupted.read()
+    for row in counted:
+        sums.add_row(row)
     start = time.monotonic()
-    run(options, [Round(kinds[saved.traffic], saved.seed) for saved in corpus.seeds if saved.traffic in kinds],
-        sums, corpus.add)
-    begun = time.monotonic()
-    while time.monotonic() < begun + 3600 * options.hours:
+    if not counted:
+        run(options, [Round(kinds[saved.traffic], saved.seed) for saved in corpus.seeds if saved.traffic in kinds],
+            sums, corpus.add)
+    while hours + hours_since(start) < options.hours:
         seed = seeds.following(options.build)
         run(options, [Round(kind, seed) for kind in kinds.values()], sums, corpus.add)
         seeds.had(options.build, seed)
-    return hours_since(start)
+        interrupted.write(hours + hours_since(start), list(sums.rows.values()))
+    interrupted.end()
+    return round(hours + hours_since(start), 3)
 
 
 def hours_since(start):
-    return round((time.monotonic() - start) / 3600, 3)
+    return (time.monotonic() - start) / 3600
 
 
 def write_part(options, kinds):
     """One seed. What fails is for who joins."""
     sums, faults, start = Sums(), [], time.monotonic()
     run(options, [Round(kind, options.seed) for kind in kinds.values()], sums, faults.append)
-    partial_reports.write(options.part, {"seed": options.seed, "hours": hours_since(start),
+    partial_reports.write(options.part, {"seed": options.seed, "hours": round(hours_since(start), 3),
                                          "rows": list(sums.rows.values()),
                                          "found": [dataclasses.asdict(fault) for fault in faults]})
     return 0
