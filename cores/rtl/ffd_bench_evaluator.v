@@ -116,6 +116,7 @@ module ffd_bench_evaluator #(
   wire [RESULTS*96-1:0] result_words;
   wire [RESULTS*3-1:0]  result_flags;
   wire [97:0]           result_second;
+  wire [15:0] result_tag;
   wire        determinant;
   wire        result_two;
   wire        result_last;
@@ -185,19 +186,21 @@ module ffd_bench_evaluator #(
     .m_result_determinant(determinant),
     .m_result_two        (result_two),
     .m_result_last       (result_last),
-    .m_result_user       (m_result_tag),
+    .m_result_user       (result_tag),
     .m_result_second     (result_second)
   );
 
+  // What goes with a result is 0 where there is none.
+  assign m_result_tag = result_tag & {16{m_result_valid}};
   genvar r;
   generate
     for (r = 0; r < 4; r = r + 1) begin : gen_result
       if (r < RESULTS) begin : gen_given
-        assign m_result_words[96*r +: 96] = result_words[96*r +: 96];
-        assign m_result_flags[2*r +: 2]   = result_flags[3*r +: 2];
+        assign m_result_words[96*r +: 96] = result_words[96*r +: 96] & {96{m_result_valid}};
+        assign m_result_flags[2*r +: 2]   = result_flags[3*r +: 2] & {2{m_result_valid}};
       end else if (r == 1 && PAIRS != 0) begin : gen_second
-        assign m_result_words[96*r +: 96] = result_second[95:0];
-        assign m_result_flags[2*r +: 2]   = result_second[97:96];
+        assign m_result_words[96*r +: 96] = result_second[95:0] & {96{m_result_valid}};
+        assign m_result_flags[2*r +: 2]   = result_second[97:96] & {2{m_result_valid}};
       end else begin : gen_not
         assign m_result_words[96*r +: 96] = 96'd0;
         assign m_result_flags[2*r +: 2]   = 2'd0;

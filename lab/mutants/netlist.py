@@ -1,8 +1,9 @@
 """A design of which a number chooses one of many mutants: single changes by yosys' `mutate`.
 
 The design is flat, and without what does not reach an output, so that a mutant is of one place in which
-something happens. The memories stay memories, without what a simulator makes of a read that comes with
-a write.
+something happens: bits that are constant or go nowhere are not there, and what the design does not say, such
+as the address of a write that is none, is what costs nothing. The memories stay memories, without what a simulator makes of a read that
+comes with a write.
 The chosen number comes from the environment, HWFFD_MUTANT; with 0 the design is as it was.
 
 SPDX-License-Identifier: Apache-2.0
@@ -50,7 +51,8 @@ def _read(root, model, folder):
     values = " ".join(f"-set {name} {value}" for name, value in model.parameters)
     return [f"read_verilog -defer {folders} {' '.join(sources)}",
             *([f"chparam {values} {model.top}"] if values else []),
-            f"hierarchy -check -top {model.top}", "proc", *rtl_sources.FLATTEN, "opt"]
+            f"hierarchy -check -top {model.top}", "proc", *rtl_sources.FLATTEN, "opt_expr -mux_undef",
+            "opt -full", "wreduce", "opt -full"]
 
 
 def yosys(root, path, steps, limit=None):

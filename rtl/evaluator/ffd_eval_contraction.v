@@ -305,8 +305,8 @@ module ffd_eval_contraction #(
     end
   endgenerate
 
-  assign result_valid_o = sum_valid && sum_last;
-  wire unused_ok = &{1'b0, part, weights_i, slopes_i};
+  assign result_valid_o = sum_last;  // no step is the last that is none
+  wire unused_ok = &{1'b0, part, weights_i, slopes_i, sum_valid};
 endmodule
 
 `default_nettype wire

@@ -109,6 +109,7 @@ module ffd_eval_stream #(
   endgenerate
 
   localparam [1:0] LAST_COLUMN = 2'd3;
+  localparam       OWN_COLUMNS = DETERMINANT != 0 && SUMS == 1;  // each a pass of its own
 
   // Credits: vertices inside, from their entry until their result has left; three leave with the
   // determinant of three. Who came and who left is counted a clock later: one more may come
@@ -142,7 +143,7 @@ module ffd_eval_stream #(
 
   always @* begin
     left_more = 2'd0;
-    if (DETERMINANT != 0 && SUMS == 1 && left_three_q) left_more = entered_q ? 2'd2 : 2'd3;
+    if (left_three_q) left_more = entered_q ? 2'd2 : 2'd3;
   end
   always @(posedge clk) begin
     if (rst) begin
@@ -152,8 +153,8 @@ module ffd_eval_stream #(
       inside_q     <= FIRST;
     end else begin
       entered_q    <= enter;
-      left_q       <= leave && !(SUMS == 1 && m_result_determinant);
-      left_three_q <= leave && SUMS == 1 && m_result_determinant;
+      left_q       <= leave && !(OWN_COLUMNS && m_result_determinant);
+      left_three_q <= leave && OWN_COLUMNS && m_result_determinant;
       if (left_more != 2'd0) inside_q <= inside_q - {{(COUNT_W - 2) {1'b0}}, left_more};
       else if (entered_q && !left_q) inside_q <= inside_q + 1'b1;
       else if (left_q && !entered_q) inside_q <= inside_q - 1'b1;

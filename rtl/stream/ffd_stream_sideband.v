@@ -166,13 +166,12 @@ module ffd_stream_sideband #(
   endgenerate
 
   // What has been taken is known behind the converters.
-  reg [LATENCY:0] moving_q;
-  always @(posedge clk) begin
-    moving_q <= rst ? {(LATENCY + 1) {1'b0}} : {moving_q[LATENCY-1:0], take_i};
-  end
-  assign moving_o = moving_q != {(LATENCY + 1) {1'b0}};
+  reg  [LATENCY-1:0] moving_q;
+  wire [LATENCY:0]   moving = {moving_q, take_i};
+  always @(posedge clk) moving_q <= rst ? {LATENCY {1'b0}} : moving[LATENCY-1:0];
+  assign moving_o = moving_q != {LATENCY {1'b0}};
 
-  wire unused_ok = &{1'b0, frame_i};
+  wire unused_ok = &{1'b0, frame_i, moving[LATENCY]};
 endmodule
 
 `default_nettype wire

@@ -16,6 +16,9 @@ constexpr unsigned kJacobian = 0b101010;        // that of each axis
 constexpr int kDerivativeAddress = 8;           // of {derivative, bank, function}
 constexpr int kBankAddress = 4;
 
+/// All bits change from one vertex to the next; no two of 65,536 have the same.
+std::uint16_t tag_of(std::size_t index) { return static_cast<std::uint16_t>(index * 40503); }
+
 cores::EvaluatorCore::Vertex pins_of(const EvaluatorStimulus& stimulus, std::size_t index) {
   const EvaluatorVertex& vertex = stimulus.vertices[index];
   cores::EvaluatorCore::Vertex pins;
@@ -35,7 +38,7 @@ cores::EvaluatorCore::Vertex pins_of(const EvaluatorStimulus& stimulus, std::siz
   if (vertex.jacobian) bank |= kJacobian;
   pins.bank = static_cast<std::uint8_t>(bank);
   pins.exponent = stimulus.supports[vertex.support].exponent;
-  pins.tag = static_cast<std::uint16_t>(index);
+  pins.tag = tag_of(index);
   return pins;
 }
 
@@ -163,7 +166,7 @@ void EvaluatorBench::compare(const EvaluatorStimulus& stimulus, std::size_t firs
   for (std::size_t v = 0; v < stimulus.vertices.size(); ++v) {
     const EvaluatorVertex& vertex = stimulus.vertices[v];
     const cores::EvaluatorCore::Result& got = results_[first + v];
-    const bool tag_fits = got.tag == static_cast<std::uint16_t>(v);
+    const bool tag_fits = got.tag == tag_of(v);
     compare_result(stimulus, v, vertex.derivative, {got.words, got.saturated, got.nan}, tag_fits);
     if (vertex.second) {
       compare_result(stimulus, v, vertex.derivative, got.along[0], tag_fits, vertex.second);

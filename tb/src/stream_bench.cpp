@@ -82,6 +82,14 @@ bool StreamBench::step(SinkMode mode) {
   if (probing) compare(probed, pins);
 
   checker_.observe(pins, cycle);
+  if (asleep_ && !in_reset &&
+      (core_.events() != 0 || pins.output_valid || (!core_.idle() && !driver_.valid()))) {
+    checker_.report(cycle, "the core was idle, no beat was offered, and something is inside");
+  }
+  asleep_ = !in_reset && core_.idle() && !driver_.valid();
+  if (asleep_ && core_.events() != 0) {
+    checker_.report(cycle, "the core is idle, no beat is offered, and tells an event");
+  }
   bool moved = false;
   if (!in_reset) {
     count_events();

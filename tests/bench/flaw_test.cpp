@@ -69,6 +69,8 @@ const Case kCases[] = {
      "output changed while it waited"},
     {"valid_drops", Flaw::kValidDrops, "always", "bursts", kBeats, 0, 0, 1,
      "output valid fell before the beat was accepted"},
+    {"idle_too_soon", Flaw::kIdleTooSoon, "sparse", "always", kBeats, 0, 0, 1,
+     "the core was idle, no beat was offered, and something is inside"},
     {"valid_in_reset", Flaw::kValidInReset, "always", "always", kBeats, 0, 0, 3,
      "cycle 1: output valid is high in reset"},
     {"ready_in_reset", Flaw::kReadyInReset, "always", "always", kBeats, 0, 0, 3,
@@ -83,13 +85,13 @@ const Case kCases[] = {
     {"flips_bit", Flaw::kFlipsBit, "bursts", "bursts", kBeats, 1, 0, 0,
      "differs in word 2 by 80000000"},
     {"flips_last", Flaw::kFlipsLast, "bursts", "bursts", kBeats, 1, 0, 0, "differs in last"},
-    {"samples_late", Flaw::kSamplesLate, "sparse", "always", 20, 20, 0, 0, "beat 0, cycle"},
+    {"samples_late", Flaw::kSamplesLate, "sparse", "always", 20, 20, 0, 1, "beat 0, cycle"},
     {"stops_output", Flaw::kStopsOutput, "always", "always", 10, 0, 0, 0,
      "watchdog: no beat moved for 2000 cycles; input beats accepted 25, waiting 0; results "
      "received 10, outstanding 15"},
     {"stops_input", Flaw::kStopsInput, "always", "always", 10, 0, 0, 0,
      "15 input beats were never accepted"},
-    {"extra_beat", Flaw::kExtraBeat, "always", "always", kBeats, 0, 1, 0, "unexpected"},
+    {"extra_beat", Flaw::kExtraBeat, "always", "always", kBeats, 0, 1, 1, "unexpected"},
     {"loses_first_after_reset", Flaw::kLosesFirstAfterReset, "always", "always", 20, 20, 0, 0,
      "beat 0, cycle"},
 };
@@ -129,6 +131,7 @@ class ChatteringCore : public cores::StreamCore {
   bool input_ready() const override { return valid_q_; }
   bool output_valid() const override { return valid_q_; }
   Beat output() const override { return {}; }
+  bool idle() const override { return false; }
 
  private:
   bool reset_ = false;

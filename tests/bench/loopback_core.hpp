@@ -35,6 +35,7 @@ enum class Flaw {
   kReadyFollowsValid,  // a combinational path from input valid to input ready
   kDataFollowsReady,   // a combinational path from output ready to output data
   kValidFollowsReady,  // a combinational path from output ready to output valid
+  kIdleTooSoon,        // says so with a beat inside
 };
 
 /// A first-in, first-out loop-back with registered outputs: a beat accepted at clock c can be
@@ -60,6 +61,9 @@ class LoopbackCore : public cores::StreamCore {
   bool input_ready() const override;
   bool output_valid() const override;
   Beat output() const override;
+  bool idle() const override {
+    return !valid_q_ && written_ - read_ <= (flaw_ == Flaw::kIdleTooSoon ? 1U : 0U);
+  }
 
  private:
   struct Entry {

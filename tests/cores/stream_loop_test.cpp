@@ -19,6 +19,7 @@ class NoCore final : public StreamCore {
   bool input_ready() const override { return true; }
   bool output_valid() const override { return false; }
   Beat output() const override { return {}; }
+  bool idle() const override { return true; }
 };
 
 /// Of each cycle what is left then; a beat moves where that changes.

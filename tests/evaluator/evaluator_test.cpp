@@ -31,6 +31,13 @@ std::vector<Configuration> walk_rows() {
       [](const Configuration& row) { return walks(row) && cores::has_evaluator_core(row); });
 }
 
+/// The rows that this build has and that take no more than 64 clocks for a vertex.
+std::vector<Configuration> quick_rows() {
+  return rows_where([](const Configuration& row) {
+    return expected_interval(row) <= 64 && cores::has_evaluator_core(row);
+  });
+}
+
 /// The rows that this build has and that take a second vertex with each one.
 std::vector<Configuration> pair_rows() {
   return rows_where(
@@ -105,6 +112,7 @@ class Evaluator : public ::testing::TestWithParam<Configuration> {
 };
 
 class PaperSchedule : public Evaluator {};
+class Full : public Evaluator {};
 class GivesJacobian : public Evaluator {};
 class Walks : public Evaluator {
  protected:
@@ -157,14 +165,72 @@ TEST_P(Evaluator, BitsOfAnyFunctions) {
   expect_no_mismatch(vertices);
 }
 
-// Vertices that are offered while reset lasts, also where others are inside, are none.
+// One operand that is flagged, where nothing else saturates: a coordinate, a point, a coefficient.
+TEST_P(Evaluator, AFlagOfOneOperand) {
+  tb::EvaluatorBench::Bank quarters;
+  for (AxisWords& axis : quarters) {
+    for (int function = 0; function < 4; ++function) {
+      axis.word[function][0] = axis.derivative.word[function][0] = codec_.coefficient(0.25, 0);
+    }
+  }
+  auto stimulus = draw(1, 8);
+  stimulus.supports.resize(1);
+  stimulus.supports[0].points.fill(codec_.point(0.3));
+  auto& vertex = stimulus.vertices[0];
+  vertex.support = 0;
+  vertex.bank = 0;
+  vertex.local.fill(codec_.coordinate(0.99));
+  const auto inside = vertex.local;
+  std::size_t vertices = 0;
+  bench_.load(0, quarters);
+  for (int axis = 0; axis < 3; ++axis) {
+    vertex.local[axis] = codec_.is_float() ? 0x3FC00000U : 0xA0000000U;  // 1.5 and 5/4
+    bench_.run(stimulus);
+    ++vertices;
+    vertex.local = inside;
+  }
+  // The largest word rounds past the largest point, and past the largest coefficient.
+  const bool rounds = codec_.has_fixed_weights() && codec_.weight_fraction() < 30;
+  const auto points = stimulus.supports[0].points;
+  for (std::size_t word = 0; rounds && !codec_.is_block() && word < points.size(); ++word) {
+    stimulus.supports[0].points[word] = 0x7FFFFFFF;
+    bench_.run(stimulus);
+    ++vertices;
+    stimulus.supports[0].points = points;
+  }
+  for (int operand = 0; rounds && operand < 3 * 2 * 4 * 4; ++operand) {
+    const int axis = operand / 32;
+    vertex.derivative = operand % 2 == 0 ? -1 : axis;
+    auto bank = quarters;
+    AxisWords& words = bank[axis];
+    auto& function = (operand % 2 == 0 ? words.word : words.derivative.word)[operand / 8 % 4];
+    function = {};
+    function[operand / 2 % 4] = 0x7FFFFFFF;
+    bench_.load(0, bank);
+    bench_.run(stimulus);
+    ++vertices;
+  }
+  expect_no_mismatch(vertices);
+  const auto& results = bench_.results();
+  const auto flagged = std::count_if(results.begin(), results.end(),
+                                     [](const auto& result) { return result.saturated; });
+  EXPECT_GE(flagged, !codec_.has_fixed_weights()       ? 0
+                     : !rounds || wired_in(GetParam()) ? 3
+                                                       : 3 + 72);
+}
+
+// Vertices that are offered while reset lasts, also where others are inside, are none: of resets
+// that begin in any clock of a vertex, a clock long or two.
 TEST_P(Evaluator, NothingEntersInReset) {
-  for (unsigned clocks = 1; clocks < 4; ++clocks) {
+  tb::Random random(tb::seed_from_environment(9));
+  constexpr std::size_t kResets = 16;
+  for (std::size_t resets = 1; resets <= kResets; ++resets) {
     for (const bool reset : {false, true}) {
       core_->drive_reset(reset);
       core_->drive_vertex(true, {});
       core_->drive_result_ready(true);
-      for (unsigned i = 0; i < clocks; ++i) core_->clock();
+      const std::uint64_t clocks = 1 + (reset ? random.below(2) : random.below(8 * resets));
+      for (std::uint64_t i = 0; i < clocks; ++i) core_->clock();
     }
     core_->drive_reset(false);
     core_->drive_vertex(false, {});
@@ -173,8 +239,11 @@ TEST_P(Evaluator, NothingEntersInReset) {
       ASSERT_FALSE(core_->result_valid()) << i;
       core_->clock();
     }
-    bench_.run(draw(20, clocks));
-    expect_no_mismatch(20 * clocks);
+    auto after = draw(2, resets);
+    after.supports.resize(1);
+    for (auto& vertex : after.vertices) vertex.support = 0;
+    bench_.run(after);
+    expect_no_mismatch(2 * resets);
   }
 }
 
@@ -196,6 +265,25 @@ TEST_P(Evaluator, PlantedFaultsAreFound) {
   EXPECT_EQ(bench_.mismatches(), faults + 2) << "the last two results come a place late";
 }
 
+// As many as may be inside at once, while no result leaves; then all leave.
+TEST_P(Full, NoMoreThanItHolds) {
+  constexpr std::uint64_t kInside = 256;  // of ffd_bench_evaluator
+  const auto interval = static_cast<std::uint64_t>(expected_interval(GetParam()) + 1);
+  auto stimulus = draw(2 * kInside, 11);
+  bench_.run(stimulus, tb::Throttle::always(),
+             tb::Throttle::shut_after(kInside / 2 * interval, (kInside + 4) * interval));
+  expect_no_mismatch(stimulus.vertices.size());
+  const auto& starts = bench_.start_clocks();
+  const auto& results = bench_.result_clocks();
+  std::uint64_t most = 0;
+  for (std::size_t started = 0, left = 0; started < starts.size(); ++started) {
+    while (left < results.size() && results[left] < starts[started]) ++left;
+    most = std::max<std::uint64_t>(most, started - left);
+  }
+  EXPECT_GE(most, kInside - 4);
+  EXPECT_LE(most, kInside);
+}
+
 // A barrel of contexts spreads its starts within its round, so the interval is counted over a
 // multiple of every number of contexts in the table.
 TEST_P(Evaluator, IntervalEqualsTheFormula) {
@@ -207,8 +295,39 @@ TEST_P(Evaluator, IntervalEqualsTheFormula) {
             expected_interval(GetParam()));
 }
 
+// A row of a lattice whose vertices go some cells on, or back, now and then.
+TEST_P(Walks, BitsWhereARowGoesOn) {
+  constexpr std::size_t kCells = 13, kLayer = 16;
+  tb::Random random(tb::seed_from_environment(14));
+  std::vector<std::uint32_t> points((kCells + 3) * kLayer * 3);
+  for (auto& word : points) word = codec_.point(2 * random.unit() - 1);
+  auto stimulus = draw(share_of(4000), 15);
+  stimulus.supports.resize(kCells);
+  for (std::size_t cell = 0; cell < kCells; ++cell) {
+    std::copy_n(points.begin() + static_cast<std::ptrdiff_t>(cell * kLayer * 3), 4 * kLayer * 3,
+                stimulus.supports[cell].points.begin());
+  }
+  int cell = 6;
+  for (std::size_t v = 0; v < stimulus.vertices.size(); ++v) {
+    auto& vertex = stimulus.vertices[v];
+    vertex.cell = {cell, 0, 0};
+    vertex.support = static_cast<std::uint8_t>(cell);
+    vertex.bank = 0;
+    vertex.derivative = random.chance(0.5) ? 0 : -1;
+    for (int axis = 1; v > 0 && axis < 3 && !random.chance(0.01); ++axis) {
+      vertex.local[axis] = stimulus.vertices[v - 1].local[axis];
+    }
+    if (random.chance(0.4)) {
+      cell = std::clamp(cell + static_cast<int>(random.below(9)) - 4, 0, int{kCells} - 1);
+    }
+  }
+  bench_.run(stimulus);
+  bench_.run(stimulus, tb::make_throttle("bursts", 5), tb::make_throttle("bernoulli", 6));
+  expect_no_mismatch(2 * stimulus.vertices.size());
+}
+
 // A vertex a clock in runs of as many as there are folds and more; shorter runs take as long as
-// that. How a run goes on in the next cell is seen in tests/system/walk_test.cpp.
+// that.
 TEST_P(Walks, ClocksOfRuns) {
   const std::uint64_t folded = folds(GetParam());
   std::size_t before = 0;
@@ -222,6 +341,27 @@ TEST_P(Walks, ClocksOfRuns) {
     before = clocks.size();
   }
   expect_no_mismatch(before);
+}
+
+// Long runs and storms of short ones: what a storm asks for waits for the run before it.
+TEST_P(Walks, BitsOfStormsBehindRuns) {
+  tb::Random random(tb::seed_from_environment(12));
+  auto stimulus = draw(share_of(4000), 13);
+  std::uint64_t run = 0, storm = 0;
+  for (std::size_t v = 1; v < stimulus.vertices.size(); ++v) {
+    if (run == 0 && storm == 0) run = 16 + random.below(80), storm = random.below(60);
+    if (run > 0) {
+      const auto own = stimulus.vertices[v].local[0];
+      stimulus.vertices[v] = stimulus.vertices[v - 1];
+      stimulus.vertices[v].local[0] = own;
+      --run;
+    } else {
+      --storm;
+    }
+  }
+  bench_.run(stimulus);
+  bench_.run(stimulus, tb::make_throttle("bursts", 5), tb::make_throttle("long_stall", 6));
+  expect_no_mismatch(2 * stimulus.vertices.size());
 }
 
 // Each of what a run shares ends it when it changes, alone: t, u, the cell, the support, the bank.
@@ -327,6 +467,7 @@ TEST_P(PaperSchedule, DoesNotOverlap) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, Evaluator, ::testing::ValuesIn(built_rows()), by_name);
+INSTANTIATE_TEST_SUITE_P(, Full, ::testing::ValuesIn(quick_rows()), by_name);
 INSTANTIATE_TEST_SUITE_P(, GivesJacobian, ::testing::ValuesIn(jacobian_rows()), by_name);
 INSTANTIATE_TEST_SUITE_P(, Walks, ::testing::ValuesIn(walk_rows()), by_name);
 INSTANTIATE_TEST_SUITE_P(, Pairs, ::testing::ValuesIn(pair_rows()), by_name);

@@ -66,6 +66,45 @@ TEST_P(BadInput, Packets) {
   }
 }
 
+// Each number that an axis of a lattice cannot have.
+TEST_P(BadInput, NumbersOfPoints) {
+  std::vector<Beat> packets;
+  std::uint64_t bad = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::uint32_t points = 0; points < 256; ++points) {
+      if (points >= 4 && points <= kAxisPoints) continue;
+      std::vector<Beat> load = lattice_packet(lattice_);
+      load.resize(2);
+      load.back().last = true;
+      const std::uint32_t place = 0xFFU << 8 * axis;
+      load.front().words[2] = (load.front().words[2] & ~place) | points << 8 * axis;
+      append(packets, load);
+      ++bad;
+    }
+  }
+  expect_event(kLatticeSize, bad, packets);
+}
+
+// A coordinate outside where it is told and nothing else saturates, of each axis.
+TEST_P(BadInput, ACoordinateAloneIsFlagged) {
+  for (auto& point : lattice_.points) point.fill(codec_.point(0.125));
+  lattice_.exponent = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<VertexBeat> stray = vertices(3);
+    stray[1].local[axis] = codec_.is_float() ? 0x3FC00000U : 0xA0000000U;
+    SystemRun run(GetParam(), 1, "bernoulli", "bursts");
+    run.send_bspline();
+    run.send(lattice_packet(lattice_));
+    run.send(vertices_packet(stray, OutsideMode::kPass));
+    ASSERT_TRUE(run.run());
+    EXPECT_EQ(run.bench().events(), run.events());
+    EXPECT_EQ(run.bench().events()[stream_event(kCoordinateOutside)], 1U);
+    EXPECT_EQ(run.bench().events()[stream_event(kSaturated)], codec_.has_fixed_weights());
+    results_ = run.bench().results();
+    expect_status(1, kStatusOutside | (codec_.has_fixed_weights() ? kStatusSaturated : 0U));
+  }
+}
+
 // Told where the organization takes for granted what is not so, once an axis for functions and once
 // for derivatives; words may be off by a few units.
 TEST_P(BadInput, FunctionsThatDoNotSumToOne) {

@@ -63,6 +63,39 @@ TEST_P(Throughput, LatencyOfASingleVertex) {
   EXPECT_GE(static_cast<double>(latency), least);
 }
 
+// Each packet of a vertex by itself, in a core that is idle; the bench sees whether it says so too
+// soon.
+TEST_P(Throughput, SingleVerticesOfALattice) {
+  SystemRun run(GetParam(), 1);
+  tb::Random random(2);
+  const LatticeWords lattice = random_lattice(run.codec(), random, 6);
+  run.send_bspline();
+  run.send(lattice_packet(lattice));
+  for (int v = 0; v < 5; ++v) {
+    run.send(vertices_packet(random_vertices(run.codec(), random, lattice.dims, 1)));
+    ASSERT_TRUE(run.run());
+    EXPECT_TRUE(run.core().idle());
+  }
+}
+
+// Functions go into a bank as soon as its last vertex has left, whatever is inside of the other
+// bank: they cost no more than their beats.
+TEST_P(Throughput, FunctionsChangeAmongVertices) {
+  constexpr std::size_t kTogether = 12, kChanges = 8;
+  SystemRun run(GetParam(), 1);
+  for (std::size_t v = 0; v < kChanges; ++v) {
+    const Blending functions = family(v % 2 == 0 ? "bspline" : "bernstein", run.codec());
+    run.send(coefficients_packet(functions, run.codec()));
+    run.send(interleaved_packet(make_stimulus("random", run.codec(), kTogether, v)));
+  }
+  ASSERT_TRUE(run.run());
+  const double beats =
+      static_cast<double>(run.bench().accept_clocks().size()) / (kTogether * kChanges);
+  const double clocks = run.bench().clocks_per_result(kTogether, (kChanges - 1) * kTogether);
+  std::printf("%g clocks, %g beats\n", clocks, beats);
+  EXPECT_LE(clocks, std::max(beats, formula(GetParam())) + 0.5);
+}
+
 HWFFD_FOR_EACH_CONFIGURATION(Throughput);
 
 }  // namespace

@@ -49,7 +49,7 @@ class StreamCore {
   /// upset_o.
   virtual bool upset() const { return false; }
   /// idle_o.
-  virtual bool idle() const { return true; }
+  virtual bool idle() const = 0;
   /// What its build has made visible inside.
   virtual std::vector<Signal> signals() const { return {}; }
 };

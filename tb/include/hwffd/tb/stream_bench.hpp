@@ -141,6 +141,7 @@ class StreamBench : private cores::StreamParty {
   std::array<std::uint64_t, 3> waits_{};
   bool was_reset_ = false;
   bool first_cycle_ = false;
+  bool asleep_ = false;  // the core said so a clock ago, and no beat was offered
   bool hung_ = false;
   std::vector<std::string> failures_;
   std::vector<std::string> end_failures_;
