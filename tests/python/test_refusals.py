@@ -5,6 +5,7 @@ SPDX-License-Identifier: Apache-2.0
 
 import subprocess
 import sys
+import types
 
 import hwffd
 import numpy as np
@@ -83,6 +84,11 @@ def test_refusals_name_the_argument_and_what_to_give(call, text):
         call()
     assert str(caught.value).startswith(text) and "\n" not in str(caught.value)
     assert isinstance(caught.value, (ValueError, TypeError))
+
+
+def test_numpy_ma_that_another_thread_imports_has_no_masked_arrays_yet(monkeypatch):
+    monkeypatch.setitem(sys.modules, "numpy.ma", types.ModuleType("numpy.ma"))
+    assert np.allclose(hwffd.deform(LATTICE, CORNERS), CORNERS)
 
 
 @pytest.mark.parametrize("points", [MASKED, np.ma.masked_array(CORNERS), [MASKED[0], MASKED[1]],

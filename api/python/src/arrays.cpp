@@ -28,7 +28,9 @@ bool is_masked(const py::handle& object) {
   // Where nobody has loaded it, there are none.
   const auto modules = py::reinterpret_borrow<py::dict>(PyImport_GetModuleDict());
   if (!modules.contains("numpy.ma")) return false;
-  const py::object kind = modules["numpy.ma"].attr("MaskedArray");
+  // Another thread may be importing it: nobody has one then.
+  const py::object kind = py::getattr(modules["numpy.ma"], "MaskedArray", py::none());
+  if (kind.is_none()) return false;
   if (py::isinstance(object, kind)) return true;
   if (!py::isinstance<py::list>(object) && !py::isinstance<py::tuple>(object)) return false;
   const auto items = py::reinterpret_borrow<py::sequence>(object);
@@ -55,8 +57,7 @@ py::array numbers(const py::handle& object, const char* name) {
 /// The array, if its numbers are of that type and one behind the other; a copy where they are not.
 template <typename Number>
 py::array packed(const py::array& array) {
-  const auto converted =
-      py::array_t<Number, py::array::c_style | py::array::forcecast>::ensure(array);
+  auto converted = py::array_t<Number, py::array::c_style | py::array::forcecast>::ensure(array);
   if (!converted) throw py::error_already_set();
   return converted;
 }
