@@ -197,21 +197,31 @@ def fixed_theorem(form, rounds, known, bound):
 
 
 def scatter_theorem(form, rounds, known, bound):
-    """The 64 parts of a gradient of at most 1 are together within the bound of those of eq. (1)."""
+    """The 64 parts of a gradient of at most 1 are together within the bound of those of eq. (1); and what n of them add
+    as a row, in no more layers than they have by themselves, within n times the bound."""
     along, _ = SCATTERS[form]
     point, narrow = rounds.point, rounds.narrow
     sizes = " ".join(SLOPES_SIZE.coq() if axis == along else "1" for axis in AXES)
     errors = " ".join((known.slopes if axis == along else known.axis).coq() for axis in AXES)
     to_one = " ".join("false" if axis == along else "true" for axis in AXES)
     weights = f"{sizes} {errors} {known.triple.coq()}"
-    program = f"scatter_program {to_one} s t u g {point.coq()} {narrow.coq()}"
-    proof = ("  intros s t u bs bt bu g V S T U G.\n"
-             f"  apply (scatter_certified {weights} {bound.coq()} {to_one} s t u bs bt bu g {point.coq()} "
-             f"{narrow.coq()} {point.half_coq()} {narrow.half_coq()} V S T U G {point.proof()} {narrow.proof()}).\n"
-             f"  {certificate_of([known.axis, *([known.slopes] if along else []), known.triple])}.\n")
+    rounded = f"{point.coq()} {narrow.coq()}"
+    roundings = f"{point.proof()} {narrow.proof()}"
+    halves = f"{point.half_coq()} {narrow.half_coq()}"
+    certificate = certificate_of([known.axis, *([known.slopes] if along else []), known.triple])
+    proof = ("  intros s t u bs bt bu g V S T U G; split.\n"
+             f"  - apply (scatter_certified {weights} {bound.coq()} {to_one} s t u bs bt bu g {rounded} {halves} "
+             f"V S T U G {roundings}).\n    {certificate}.\n"
+             "  - intros d vertices Good D.\n"
+             f"    apply (rows_certified {weights} {bound.coq()} {to_one} t u bt bu {rounded} {halves} d vertices Good T U "
+             f"{roundings}); [destruct V; apply norm_within with bu; assumption | exact D |].\n    {certificate}.\n")
+    rows = (f"forall d vertices, List.Forall (good {weights} {to_one.split()[0]} t u bt bu d) vertices ->\n  "
+            "(d <= 4 * length vertices)%nat ->\n  "
+            f"row_distance {to_one} t u bt bu {rounded} d vertices <= INR (length vertices) * {bound.coq()}")
     return Theorem((f"weighted {weights} s t u bs bt bu",
                     *(f"S4 {axis} = {0 if axis == along else 1}" for axis in AXES), "Rabs g <= 1"),
-                   f"distance ({program}) (fun l m n => g * products bs bt bu l m n) <= {bound.coq()}", proof,
+                   f"distance (scatter_program {to_one} s t u g {rounded}) (fun l m n => g * products bs bt bu l m n)"
+                   f" <= {bound.coq()} /\\\n  ({rows})", proof,
                    "forall (s t u bs bt bu : nat -> R) (g : R)")
 
 

@@ -73,7 +73,9 @@ ROUNDS = ("(half_up (-11))) (fun l m n =>", "(half_up (-10))) (fun l m n =>")
     ("scatter", "g * products bs bt bu l m n", "products bs bt bu l m n"),
     ("scatter along s", *ROUNDS), ("scatter along t", "S4 t = 0", "S4 t = 1"),
     ("scatter along u", "scatter_program true true false", "scatter_program true true true"),
-    ("scatter powers along t", "S4 u = 1", "S4 u = 0")))
+    ("scatter powers along t", "S4 u = 1", "S4 u = 0"),
+    ("scatter", "d <= 4 * length vertices", "d <= 5 * length vertices"),
+    ("scatter along s", "row_distance false true true", "row_distance false true false")))
 def test_a_theorem_of_scatter_with_another_rounding_or_premise_is_refused(theory, form, words, others):
     row = SCATTER[form]
     bound = rows.least(row.script[0], row.name)
