@@ -157,6 +157,36 @@ TEST_P(ResultArea, ALastNeverWaitsForMore) {
   }
 }
 
+// Nor one behind which several bursts wait for the bus.
+TEST_P(ResultArea, ALastBehindSeveralBurstsNeverWaitsForMore) {
+  constexpr std::uint64_t kOpen = 60;
+  const std::uint64_t burst = GetParam().max_burst;
+  const std::uint64_t prompt = GetParam().hardened ? 40 : 10;  // a guard waits for the data, too
+  for (std::uint64_t results = 2; results <= 3 * std::min<std::uint64_t>(burst, 6); ++results) {
+    for (std::uint64_t shut = 1; shut <= results + 6; ++shut) {
+      SCOPED_TRACE(testing::Message() << results << " beats, " << shut << " clocks");
+      DmaBench bench(GetParam(), results);
+      bench.start_results(kFirst, 1 << 16);
+      const std::uint64_t opens = bench.cycle() + kOpen + shut;
+      tb::AxiThrottles throttles;
+      throttles.aw = tb::Throttle::shut_after(kOpen, shut);
+      bench.memory.set_throttles(throttles);
+      bench.run(kOpen);
+      bench.offer_results(results, results);
+      ASSERT_TRUE(bench.run_until([&] { return bench.results_waiting() == 0; }, 100));
+      const std::uint64_t taken = std::max(bench.cycle(), opens);
+      const auto& writes = bench.memory.writes();
+      const auto all_out = [&] {
+        return !writes.empty() &&
+               writes.back().address + writes.back().beats * kBeat >= kFirst + results * kBeat;
+      };
+      ASSERT_TRUE(bench.run_until(all_out, 100));
+      EXPECT_LE(bench.cycle(), taken + prompt);
+      EXPECT_TRUE(bench.writes(kFirst, 0, results));
+    }
+  }
+}
+
 // A start in the clock behind another one is none.
 TEST_P(ResultArea, AnotherStartAtOnceChangesNothing) {
   DmaBench bench(GetParam(), 8);

@@ -110,6 +110,8 @@ TEST_P(SoftReset, NothingStartsInReset) {
     bench.step();
   }
   bench.controls.rst = false;
+  bench.controls.ring_start = true;  // the halves are in reset for a clock more
+  bench.place_area(kArea, 256);
   for (int clocks = 0; clocks < 60; ++clocks) {
     bench.step();
     EXPECT_FALSE(bench.status.clearing || bench.status.ring_running ||
