@@ -43,7 +43,7 @@ using Setups = ::testing::Types<
     Setup<Vscatter_core_fx18, 18, false, 3, 2, 20, 1>,
     Setup<Vscatter_core_rows_fx18, 18, false, 3, 2, 20, 1, true>,
 #endif
-    Setup<Vscatter_core_fx12, 12, false, 2, 1, 8, 3>,
+    Setup<Vscatter_core_fx12, 12, false, 2, 1, 16, 3>,
     Setup<Vscatter_core_fx17_powers, 17, true, 4, 1, 16, 2>,
     Setup<Vscatter_core_rows_fx12, 12, false, 2, 1, 8, 3, true>,
     Setup<Vscatter_core_rows_fx17_powers, 17, true, 4, 1, 16, 2, true>>;
