@@ -35,9 +35,14 @@ TEST_P(Stream, ResetAtAnyMomentLeavesNothingBehind) {
       run.bench().run_for(random.below(900));
       run.reset(1 + random.below(3));
     }
+    run.send({Beat{{0x77, 0, 0, 0}, false}, Beat{{}, true}});  // an event, in the first packet
     run.send_bspline();
     run.send(interleaved_packet(make_stimulus("random", run.codec(), 3, seed)));
     ASSERT_TRUE(run.run());
+    EXPECT_EQ(run.bench().events()[stream_event(event::kUnknownOpcode)], 1U);
+    const cores::EventPlace place = run.bench().event_place(stream_event(event::kUnknownOpcode));
+    EXPECT_EQ(place.packet, 0U);
+    EXPECT_EQ(place.beat, 0U);
   }
   EXPECT_EQ(resets, 5 * share_of(kSeeds));
 }
