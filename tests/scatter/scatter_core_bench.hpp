@@ -161,7 +161,7 @@ class ScatterCoreBench {
       put_bits(sim_->s_vertex_cell, axis * Setup::kAxisBits, Setup::kAxisBits,
                static_cast<std::uint64_t>(vertex.words.cell[axis]));
       put_bits(sim_->s_vertex_bank, 2 * axis, 2,
-               static_cast<std::uint64_t>(vertex.bank + (derivative ? 2 : 0)));
+               static_cast<std::uint64_t>(vertex.bank) + (derivative ? 2 : 0));
     }
     sim_->s_vertex_along = static_cast<std::uint8_t>(vertex.words.derivative + 1);
     sim_->s_vertex_page = static_cast<std::uint8_t>(vertex.page);
@@ -451,7 +451,7 @@ class ScatterCoreBench {
     model::ScatterPage& page = *pages_[collected_];
     const auto shift = static_cast<int>(sim_->s_collect_shift);
     const auto& dims = dims_[collected_];
-    const auto points = static_cast<std::size_t>(dims[0] * dims[1] * dims[2]);
+    const std::size_t points = static_cast<std::size_t>(dims[0]) * dims[1] * dims[2];
     std::vector<bool> saturated(points);
     for (std::size_t point = 0; point < points; ++point) {
       for (int c = 0; c < 3; ++c) {

@@ -263,7 +263,7 @@ TYPED_TEST(ScatterCore, ARowTakesItsVerticesOrItsLayers) {
       std::vector<bool> touched(kAxis);
       for (const auto& vertex : row) {
         for (int l = 0; l < 4; ++l)
-          touched[static_cast<std::size_t>(vertex.words.cell[0] + l)] = true;
+          touched[static_cast<std::size_t>(vertex.words.cell[0]) + l] = true;
       }
       const auto layers =
           static_cast<std::uint64_t>(std::count(touched.begin(), touched.end(), true));

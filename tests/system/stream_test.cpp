@@ -74,7 +74,7 @@ TEST_P(Stream, AnyPacketsInAnyOrder) {
     EXPECT_EQ(run.bench().events(), run.events());
     for (const std::uint64_t count : run.events()) events += count;
   }
-  std::printf("%llu packets, %llu events\n", static_cast<unsigned long long>(40 * seeds().size()),
+  std::printf("%llu packets, %llu events\n", 40 * static_cast<unsigned long long>(seeds().size()),
               static_cast<unsigned long long>(events));
 }
 
