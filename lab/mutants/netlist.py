@@ -2,8 +2,8 @@
 
 The design is flat, and without what does not reach an output, so that a mutant is of one place in which
 something happens: bits that are constant or go nowhere are not there, and what the design does not say, such
-as the address of a write that is none, is what costs nothing. The memories stay memories, without what a simulator makes of a read that
-comes with a write.
+as the address of a write that is none, is what costs nothing. The memories stay memories, without what a
+simulator makes of a read that comes with a write.
 The chosen number comes from the environment, HWFFD_MUTANT; with 0 the design is as it was.
 
 SPDX-License-Identifier: Apache-2.0
