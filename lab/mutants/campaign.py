@@ -31,24 +31,22 @@ def _shell(command, folder):
 
 
 def program(build, subject, model, mutants, folder):
-    """The test program with the mutants in place of the model, and these mutants. Those are left out with
-    which the tests fail though none is chosen: yosys writes loops through the bits of a vector, which
-    Verilator does not always order."""
-    def fails(some):
-        return not passes(_built(build, subject, model, some, folder), subject["tests"], 0)
-
+    """The test program with the mutants in place of the model, and these mutants. One is left out with
+    which, behind those before it, the tests fail though none is chosen: yosys writes loops through the
+    bits of a vector, which Verilator does not always order."""
     while mutants:
         path = _built(build, subject, model, mutants, folder)
         if passes(path, subject["tests"], 0):
             return path, mutants
-        part = mutants
-        while len(part) > 1:
-            half = len(part) // 2
-            part = next((some for some in (part[:half], part[half:]) if fails(some)), part[:0])
-        if not part:
-            break
-        print(f"mutants: {subject['name']}: left out: {part[0]}", file=sys.stderr, flush=True)
-        mutants = [mutant for mutant in mutants if mutant != part[0]]
+        good, bad = 0, len(mutants)  # so many of the first: the tests pass with some, and fail with others
+        while bad - good > 1:
+            half = (good + bad) // 2
+            if passes(_built(build, subject, model, mutants[:half], folder), subject["tests"], 0):
+                good = half
+            else:
+                bad = half
+        print(f"mutants: {subject['name']}: left out: {mutants[good]}", file=sys.stderr, flush=True)
+        mutants = [*mutants[:good], *mutants[bad:]]
     raise MutantError(f"{folder / 'tests'}: the tests fail without a mutant")
 
 

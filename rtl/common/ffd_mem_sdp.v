@@ -7,9 +7,6 @@
 // take for right; no tool that makes hardware defines it.
 //
 // Pipeline:   READ_LATENCY registers, II 1, never frozen; contents are not reset.
-// simulator defines FFD_SIMULATION it gives the complement of the old word, which no test could
-//             of this file, and chooses by its parameters. tools/rtl/memories.py prints which a
-//             configuration has.
 // Parameters: WIDTH >= 1, DEPTH >= 2 words, READ_LATENCY 0 or 1; RAM_STYLE, what synthesis is told:
 //             "auto", or a word that the tool knows, as "block" or "distributed".
 // Not checked: an address of DEPTH or more reads an undefined word; that none is written there, by

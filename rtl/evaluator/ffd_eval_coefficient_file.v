@@ -1,16 +1,18 @@
 // ffd_eval_coefficient_file: the polynomial coefficient register file (paper, section 3.3.3)
 //
-// One entry is a blending function: the coefficients of 1, x, x^2, x^3 and the shift of its bank.
+// One entry is a blending function: the coefficients of 1, x, x^2, x^3 and the shift of its bank,
+// which the four functions of a bank share: it is kept once, and the last one that came counts.
 // PORTS 4:    each power has a read port with its own address, because a pipelined evaluator uses
 //             the powers of one polynomial at different times.
 // PORTS 1:    one address for all powers: one wide memory, fewer blocks.
 //
 // The shift has a read port to itself.
 //
-// Formats:    entry {shift[1:0], c3, c2, c1, c0}; read port p is address p and coefficient p.
+// Formats:    entry {shift[1:0], c3, c2, c1, c0}; address {bank, function[1:0]}; read port p is
+//             address p and coefficient p.
 // Pipeline:   READ_LATENCY registers in each read; an entry written is readable in the next clock.
 // Reset:      none: the contents are undefined until they are loaded.
-// Parameters: FORMAT as in ffd_num.vh, PORTS 1 or 4, READ_LATENCY 0 or 1, ADDRESS_W >= 1.
+// Parameters: FORMAT as in ffd_num.vh, PORTS 1 or 4, READ_LATENCY 0 or 1, ADDRESS_W >= 3.
 // Model:      golden/include/hwffd/model/coefficients.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -62,17 +64,18 @@ module ffd_eval_coefficient_file #(
 
   ffd_mem_sdp #(
     .WIDTH       (2),
-    .DEPTH       (1 << ADDRESS_W),
+    .DEPTH       (1 << (ADDRESS_W - 2)),
     .READ_LATENCY(READ_LATENCY)
   ) u_shifts (
     .clk            (clk),
     .write_i        (load_i),
-    .write_address_i(load_address_i),
+    .write_address_i(load_address_i[ADDRESS_W-1:2]),
     .write_data_i   (load_entry_i[4*WEIGHT_W +: 2]),
     .read_i         (1'b1),
-    .read_address_i (shift_address_i),
+    .read_address_i (shift_address_i[ADDRESS_W-1:2]),
     .read_data_o    (shift_o)
   );
+  wire unused_ok = &{1'b0, shift_address_i[1:0]};
 endmodule
 
 `default_nettype wire

@@ -14,7 +14,7 @@
 //             apart. The loop's length L is no multiple of 3, so 0, L and 2L differ modulo 3 and
 //             the passes of polynomials a multiple of 3 clocks apart never meet. Never frozen.
 // Parameters: FORMAT as in ffd_num.vh, FILE_LATENCY 0 to 2, CONVERT_LATENCY >= 0, other latencies
-//             >= 1, ADDRESS_W >= 1.
+//             >= 1, ADDRESS_W >= 3.
 // Not checked: a start that is neither a multiple of 3 clocks after another nor behind its end.
 // Model:      golden/include/hwffd/model/coefficients.hpp (polynomial).
 // Test:       tests/unit/polynomial, tests/system.

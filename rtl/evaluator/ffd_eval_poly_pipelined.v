@@ -8,7 +8,7 @@
 //             FFD_POLY_LATENCY in all, II 1, never frozen; step_k holds power 2 - k and needs its
 //             coefficients k steps after the start.
 // Parameters: FORMAT as in ffd_num.vh; FILE_LATENCY 0 or 1, CONVERT_LATENCY >= 0, others >= 1;
-//             ADDRESS_W >= 1: the address of a blending function in this evaluator's file.
+//             ADDRESS_W >= 3: the address of a blending function in this evaluator's file.
 // Model:      golden/include/hwffd/model/coefficients.hpp (polynomial).  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none

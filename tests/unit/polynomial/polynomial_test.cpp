@@ -71,7 +71,7 @@ class Polynomials : public ::testing::Test {
     Int128 bits;
   };
 
-  /// A function with coefficients of every size, as it was loaded.
+  /// A function with coefficients of every size, as it was loaded; the four of a bank have one shift.
   void load(int address) {
     auto& entry = bank_.entry[0][address % 4];
     entry = {};
@@ -80,7 +80,8 @@ class Polynomials : public ::testing::Test {
       entry.coefficient[power].value = static_cast<std::int64_t>(corner_or_random(random_, 18));
       word |= packed(entry.coefficient[power]) << (kNumber * power);
     }
-    entry.shift = static_cast<int>(random_.below(4));
+    if (address % 4 == 0) shift_ = static_cast<int>(random_.below(4));
+    entry.shift = shift_;
     functions_[address] = bank_;
     sim_->load_i = 1;
     sim_->load_address_i = static_cast<CData>(address);
@@ -120,6 +121,7 @@ class Polynomials : public ::testing::Test {
 
   tb::Sim<Vpolynomial_loops> sim_{tb::seed_from_environment(1), 1'000'000};
   const int interval_ = sim_->interval_o;
+  int shift_ = 0;
   model::CoefficientBank<F> bank_;
   std::array<model::CoefficientBank<F>, 16> functions_;
   std::array<std::uint64_t, kLoops> latency_{};
