@@ -192,21 +192,26 @@ TYPED_TEST(ScatterCore, BitsOfAnyFunctions) {
   }
 }
 
-// The same point over and over again, with gradients as large as can be: more than 32 bits.
+// A point of each component alone, with gradients as large as can be over and over again: more than
+// 32 bits. Vertices lie on corners of cells: functions that are constant give all to one point, the
+// B-spline 8/27 to the one beside it.
 TYPED_TEST(ScatterCore, SumsBeyondAWordSaturate) {
-  if constexpr (TypeParam::kWidth >= 17 && !TypeParam::kPowers) {
-    constexpr int kVertices = (1 << (32 - TypeParam::kWidth)) + 50;
+  if constexpr (TypeParam::kWidth >= 17 && !(TypeParam::kRows && TypeParam::kPowers)) {
+    constexpr int kWhole = (1 << (32 - TypeParam::kWidth)) + 50;
+    constexpr int kVertices = TypeParam::kPowers ? kWhole / 8 * 27 : kWhole;
     this->load(0, {"constant", "constant", "constant"});
+    this->bench_.resize(0, {TypeParam::kAxis, TypeParam::kAxis, TypeParam::kAxis});
     auto vertex = this->bench_.draw(0);
     vertex.bank = 0;
-    vertex.words = {{0, 0, 0}, {0, 0, 0}, {0x80000000, 0xC0000000, 0x7FFF0000}, -1};
-    for (const int shift : {0, 1}) {
+    for (int c = 0; c < 3; ++c) {
+      vertex.words = {{0, 0, 0}, {4 * c, 4 * c, 4 * c}, {0, 0, 0}, -1};
+      vertex.words.gradient[c] = c == 1 ? 0x7FFF0000 : 0x80000000;
       for (int v = 0; v < kVertices; ++v) this->send(vertex);
-      this->bench_.drain();
-      this->bench_.collect(0, shift);
-      this->bench_.drain();
-      EXPECT_EQ(this->bench_.saturated_words(), 1U);
     }
+    this->bench_.drain();
+    this->bench_.collect(0, 0);
+    this->bench_.drain();
+    EXPECT_EQ(this->bench_.saturated_words(), 3U);
     this->expect_no_mismatch();
   }
 }
