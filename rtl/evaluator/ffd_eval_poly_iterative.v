@@ -48,10 +48,11 @@ module ffd_eval_poly_iterative #(
   localparam LAST     = FILE_LATENCY > 0 ? 1 : 0;  // register behind the file
   localparam READ     = FILE_LATENCY - LAST;
 
-  // What is read: a new polynomial, or one that comes round with its pass counted.
-  wire [1:0]           pass_back;
+  // What is read: a new polynomial, or one that comes round with its pass counted, 0 to 2; what has
+  // ended goes on round and is nothing.
+  wire                 odd_back;  // the lowest bit of its pass
   wire [ADDRESS_W-1:0] address_back;
-  wire [1:0]           pass    = start_i ? 2'd0 : pass_back + 2'd1;
+  wire [1:0]           pass    = start_i ? 2'd0 : {odd_back, !odd_back};
   wire [ADDRESS_W-1:0] address = start_i ? address_i : address_back;
 
   // What goes into the loop FILE_LATENCY later.
@@ -65,13 +66,13 @@ module ffd_eval_poly_iterative #(
   wire [WEIGHT_W-1:0]  weight_next;
 
   ffd_num_delay #(
-    .WIDTH  (2 + ADDRESS_W),
+    .WIDTH  (1 + ADDRESS_W),
     .LATENCY(LOOP)
   ) u_read (
     .clk(clk),
     .rst(1'b0),
-    .d_i({pass, address}),
-    .q_o({pass_back, address_back})
+    .d_i({pass[0], address}),
+    .q_o({odd_back, address_back})
   );
 
   ffd_num_delay #(
