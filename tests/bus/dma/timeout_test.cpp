@@ -161,6 +161,44 @@ TEST_P(Timeout, IgnoresAnAnswerThatComesAfterAll) {
   expect_next(bench);
 }
 
+/// Nor does anything come of read data that the memory wakes up with while a soft reset gives it
+/// up, in its last clock neither, be it the beat that fails or any other.
+TEST_P(Timeout, ForgetsAnAnswerOfTheClockInWhichASoftResetEnds) {
+  if (channel() != kR) return;
+  std::uint64_t answers = 0;
+  for (std::uint64_t failing = 0; failing < 4; ++failing) {
+    bool told = false;  // of a beat that came in time
+    for (std::uint64_t after = 0; !told; ++after) {
+      const std::uint64_t reset = after + size().timeout + 10;
+      for (std::uint64_t wakes = reset; wakes < reset + 6; ++wakes) {
+        SCOPED_TRACE(testing::Message() << "beat " << failing << ", shut after " << after
+                                        << ", wakes " << wakes - reset << " after the reset");
+        DmaBench bench(size(), failing);
+        bench.memory.set_throttles(shut(kR, after, wakes - after));
+        for (const auto& [address, beats] : kTimedTransfer.packets) {
+          bench.memory.fail_read_at(address, failing, cores::kAxiSlverr);
+        }
+        kTimedTransfer.start(bench, kArea);
+        bench.run(reset);
+        told = !bench.read_errors().empty();
+        if (told) break;
+        const std::size_t packets = bench.packets().size();
+        const std::uint64_t beats = bench.memory.read_beats();
+        bench.begin_soft_reset();
+        ASSERT_TRUE(bench.end_soft_reset(200));
+        bench.run(40);
+        answers += bench.memory.read_beats() - beats;
+        EXPECT_EQ(bench.packets().size(), packets);
+        EXPECT_TRUE(bench.read_errors().empty());
+        bench.memory.fail_nothing();
+        expect_next(bench);
+        ASSERT_FALSE(HasFailure());
+      }
+    }
+  }
+  EXPECT_GT(answers, 500U);
+}
+
 /// A channel that wakes up in time gets its soft reset as if it had not slept.
 TEST_P(Timeout, OfAChannelThatWokeUpIsForgotten) {
   DmaBench bench(size(), 3);
