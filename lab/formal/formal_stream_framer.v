@@ -112,8 +112,7 @@ module formal_stream_framer #(
   (* hierconn *) wire        \u_dut.done ;
   (* hierconn *) wire        \u_dut.own_q ;
   (* hierconn *) wire        \u_dut.number_last ;
-  (* hierconn *) wire [31:0] \u_dut.count_q ;
-  (* hierconn *) wire [31:0] \u_dut.next_q ;
+  (* hierconn *) wire [31:0] \u_dut.left_q ;
   (* hierconn *) wire [11:0] \u_dut.index ;
   (* hierconn *) wire [3:0]  \u_dut.gen_digit[0].top_q ;
   (* hierconn *) wire [3:0]  \u_dut.gen_digit[1].top_q ;
@@ -124,7 +123,7 @@ module formal_stream_framer #(
                        \u_dut.gen_digit[0].top_q };
   wire        below  = digits[3:0] <= top[3:0] && digits[7:4] <= top[7:4]
                     && digits[11:8] <= top[11:8];
-  wire        same_left   = left_q != 0 && \u_dut.count_q - \u_dut.next_q == left_q - 2
+  wire        same_left   = left_q != 0 && \u_dut.left_q == left_q
                          && \u_dut.number_last == (left_q == 1)
                          && \u_dut.own_q == (opcode_q == INTERLEAVED);
   wire        begins      = opcode_q == VERTICES || at_q == 0;

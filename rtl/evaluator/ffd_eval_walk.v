@@ -76,8 +76,7 @@ module ffd_eval_walk #(
   wire [3:0]       i       = s_vertex_cell[3:0];
   wire [OWN_W-1:0] own;       // {coordinates of s, the second one on top, place of its functions}
   reg              held_q;
-  reg              known_q;   // the vertex before, in what a row shares
-  reg  [ROW_W-1:0] row_q;
+  reg  [ROW_W-1:0] row_q;     // of the vertex before: what a row shares
   reg  [3:0]       i_q;
   reg  [OWN_W-1:0] own_q;
   reg  [2:0]       count_q;   // of planes
@@ -86,7 +85,7 @@ module ffd_eval_walk #(
   reg              may_go_q;     // one that wants none
   reg              may_begin_q;  // one that wants planes
   wire             go     = held_q && (count_q == 3'd0 ? may_go_q : may_begin_q);
-  wire             stays  = known_q && !s_vertex_changed && offered == row_q;
+  wire             stays  = !s_vertex_changed && offered == row_q;
   // How many cells further, with its sign; beyond three nothing is shared.
   wire [4:0]       by     = {1'b0, i} - {1'b0, i_q};
   wire [3:0]       back   = i_q - i;
@@ -95,13 +94,8 @@ module ffd_eval_walk #(
   assign s_vertex_ready = !held_q || go;
 
   always @(posedge clk) begin
-    if (rst) begin
-      held_q  <= 1'b0;
-      known_q <= 1'b0;
-    end else if (s_vertex_ready) begin
-      held_q <= s_vertex_valid;
-      if (s_vertex_valid) known_q <= 1'b1;
-    end
+    if (rst) held_q <= 1'b0;
+    else if (s_vertex_ready) held_q <= s_vertex_valid;
   end
   always @(posedge clk) begin
     if (s_vertex_ready && s_vertex_valid) begin

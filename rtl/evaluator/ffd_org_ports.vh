@@ -13,8 +13,9 @@ input  wire [`FFD_OWN_W(SPANS)-1:0]                    load_address_i,
 input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
 
 // A vertex: coordinates {u, t, s}, cell {k, j, i}, where its points are, and the places of its
-// functions {u, t, s}. Changed: what source and banks name may have been loaded since
-// the vertex before. Ready is the only brake: who offers a vertex has room for its result.
+// functions {u, t, s}. Changed: what source and banks name may have been loaded since the vertex
+// before, or this one is the first after reset. Ready is the only brake: who offers a vertex has
+// room for its result.
 input  wire                                            s_vertex_valid,
 output wire                                            s_vertex_ready,
 input  wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]              s_vertex_coordinates,

@@ -135,15 +135,13 @@ module ffd_stream_framer #(
   // What a header says is read in every clock in which the next beat is one: the last of these is
   // that of the beat. So it waits for no handshake.
 
-  // ---- the number of a vertex, a point or a span in its packet, from 1 on: kept is that of the
-  // next one, and whether this one is the last.
+  // ---- how many vertices, points or spans are left of a packet, with the next one, and whether
+  // that is the last.
 
-  reg  [31:0] count_q;
-  reg  [31:0] next_q;
+  reg  [31:0] left_q;
   wire        counted = vertex_done || point_q || (function_q && spans_q && top);
   always @(posedge clk) begin
     if (header_q) begin
-      count_q <= data_i[63:32];
       own_q   <= is_interleaved;
       part_q  <= is_part;
       every_q <= kind[`FFD_KIND_EVERY];
@@ -153,11 +151,11 @@ module ffd_stream_framer #(
   end
   always @(posedge clk) begin
     if (header_q) begin
-      next_q      <= 32'd2;
+      left_q      <= data_i[63:32];
       number_last <= data_i[63:32] == 32'd1;
     end else if (take_i && counted) begin
-      next_q      <= next_q + 32'd1;
-      number_last <= next_q == count_q;
+      left_q      <= left_q - 32'd1;
+      number_last <= left_q == 32'd2;
     end
   end
 

@@ -64,11 +64,11 @@ tb::EvaluatorBench::Bank families(const WordCodec& codec, int bank) {
 }
 
 /// Functions of no family, so that each bit of a coefficient goes with each other one; large ones
-/// saturate fixed point in one component or another.
+/// saturate fixed point in one weight or component or another.
 tb::EvaluatorBench::Bank any_functions(const WordCodec& codec, tb::Random& random) {
   tb::EvaluatorBench::Bank axes;
   for (AxisWords& axis : axes) {
-    const double most = random.pick({0.25, 0.5, 1.0});
+    const double most = random.pick({0.25, 0.5, 1.0, 4.0});
     Blending::Matrix matrix;
     for (auto& function : matrix) {
       for (double& coefficient : function) coefficient = most * (2 * random.unit() - 1);

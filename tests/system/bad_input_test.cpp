@@ -85,6 +85,21 @@ TEST_P(BadInput, NumbersOfPoints) {
   expect_event(kLatticeSize, bad, packets);
 }
 
+// Each bit of the number of vertices that a packet gives, where three come and none is the last.
+TEST_P(BadInput, NumbersOfVertices) {
+  std::vector<Beat> packets;
+  std::uint64_t bad = 0;
+  for (int bit = 2; bit < 32; ++bit) {
+    for (std::uint32_t more = 0; more < 3; ++more) {
+      std::vector<Beat> packet = vertices_packet(vertices(3));
+      packet.front().words[1] = (std::uint32_t{1} << bit) + more;
+      append(packets, packet);
+      ++bad;
+    }
+  }
+  expect_event(kPacketShort, bad, packets);
+}
+
 // A coordinate outside where it is told and nothing else saturates, of each axis.
 TEST_P(BadInput, ACoordinateAloneIsFlagged) {
   for (auto& point : lattice_.points) point.fill(codec_.point(0.125));
