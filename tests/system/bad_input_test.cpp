@@ -100,6 +100,34 @@ TEST_P(BadInput, NumbersOfVertices) {
   expect_event(kPacketShort, bad, packets);
 }
 
+// Each event is told with its packet and its beat: of lattices that end anywhere, and of packets
+// that are unknown and end anywhere.
+TEST_P(BadInput, PlaceOfEachEvent) {
+  const LatticeWords largest =
+      random_lattice(codec_, random_, {kAxisPoints, kAxisPoints, kAxisPoints});
+  const std::vector<Beat> whole = lattice_packet(largest);
+  SystemRun run(GetParam(), 1, "always", "always");
+  run.send_bspline();
+  run.send(whole);
+  std::uint32_t packets = 2;
+  for (const std::uint32_t most : {1U, 3U, 20U, 100U, 1000U, 4000U}) {
+    for (int i = 0; i < 8; ++i, packets += 2) {
+      const bool unknown = random_.chance(0.3);
+      std::vector<Beat> packet = whole;
+      packet.resize(1 + random_.below(most));
+      packet.back().last = true;
+      if (unknown) packet.front().words[0] |= 0xFF;
+      run.send(packet);
+      run.send(vertices_packet(vertices(1)));
+      ASSERT_TRUE(run.run());
+      const Code code = unknown ? kUnknownOpcode : kPacketShort;
+      const cores::EventPlace place = run.bench().event_place(stream_event(code));
+      EXPECT_EQ(place.packet, packets);
+      EXPECT_EQ(place.beat, unknown ? 0 : packet.size() - 1);
+    }
+  }
+}
+
 // A coordinate outside where it is told and nothing else saturates, of each axis.
 TEST_P(BadInput, ACoordinateAloneIsFlagged) {
   for (auto& point : lattice_.points) point.fill(codec_.point(0.125));
