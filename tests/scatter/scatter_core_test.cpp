@@ -194,10 +194,12 @@ TYPED_TEST(ScatterCore, BitsOfAnyFunctions) {
 
 // A point of each component alone, with gradients as large as can be over and over again: more than
 // 32 bits. Vertices lie on corners of cells: functions that are constant give all to one point, the
-// B-spline 8/27 to the one beside it.
+// B-spline 8/27 to the one beside it. Narrow words want a million vertices.
 TYPED_TEST(ScatterCore, SumsBeyondAWordSaturate) {
-  if constexpr (TypeParam::kWidth >= 17 && !(TypeParam::kRows && TypeParam::kPowers)) {
-    constexpr int kWhole = (1 << (32 - TypeParam::kWidth)) + 50;
+  constexpr bool kNarrow = TypeParam::kWidth < 17;
+  if (kNarrow && share_of(2) < 2) return;
+  if constexpr (!TypeParam::kRows || (!kNarrow && !TypeParam::kPowers)) {
+    constexpr int kWhole = (1 << (32 - TypeParam::kWidth)) + 600;
     constexpr int kVertices = TypeParam::kPowers ? kWhole / 8 * 27 : kWhole;
     this->load(0, {"constant", "constant", "constant"});
     this->bench_.resize(0, {TypeParam::kAxis, TypeParam::kAxis, TypeParam::kAxis});
