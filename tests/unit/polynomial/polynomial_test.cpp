@@ -71,7 +71,8 @@ class Polynomials : public ::testing::Test {
     Int128 bits;
   };
 
-  /// A function with coefficients of every size, as it was loaded; the four of a bank have one shift.
+  /// A function with coefficients of every size, as it was loaded; the four of a bank have one
+  /// shift.
   void load(int address) {
     auto& entry = bank_.entry[0][address % 4];
     entry = {};
