@@ -187,6 +187,31 @@ TEST_P(ResultArea, ALastBehindSeveralBurstsNeverWaitsForMore) {
   }
 }
 
+// Results behind a full area are dropped up to the clock before the next start, whose are of its
+// area.
+TEST_P(ResultArea, AResultOfTheClockBeforeAStartIsItsFirst) {
+  constexpr std::uint64_t kUsed = 4;
+  for (std::uint64_t clocks = 0; clocks < 8; ++clocks) {
+    SCOPED_TRACE(testing::Message() << clocks << " clocks between");
+    DmaBench bench(GetParam(), clocks);
+    bench.start_results(kFirst, kUsed * kBeat);
+    bench.run(10);
+    bench.offer_results(kUsed + 1, kUsed);
+    const auto full = [&] { return bench.status.result_overflow && !bench.status.result_busy; };
+    ASSERT_TRUE(bench.run_until(full, 1000));
+    bench.run(20);
+    bench.offer_results(1);
+    bench.step();
+    ASSERT_EQ(bench.results_waiting(), 0U);
+    bench.run(clocks);
+    bench.start_results(kNext, 2 * kBeat);
+    bench.run(10);
+    bench.offer_results(4, 4);
+    bench.run(200);
+    EXPECT_EQ(bench.results_in_memory(kNext, kUsed + (clocks == 0 ? 1 : 2), 2), 2U);
+  }
+}
+
 // A start in the clock behind another one is none.
 TEST_P(ResultArea, AnotherStartAtOnceChangesNothing) {
   DmaBench bench(GetParam(), 8);
