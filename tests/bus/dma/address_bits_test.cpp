@@ -56,7 +56,9 @@ TEST_P(AddressBits, EachDecidesInAWindow) {
   tb::Random random(21);
   for (unsigned k = 5; k < 64; ++k) {
     const std::uint64_t any = random.bits();
-    for (const Ask ask : kAsks) expect_bit_decides(ask, GetParam(), k, any);
+    for (const Ask ask : kAsks) {
+      for (const std::uint64_t base : {any, ~any}) expect_bit_decides(ask, GetParam(), k, base);
+    }
     ASSERT_FALSE(HasFailure());
   }
 }

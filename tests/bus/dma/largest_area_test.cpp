@@ -7,8 +7,9 @@ namespace hwffd::test {
 namespace {
 
 constexpr std::uint64_t kFirst = 0x10000;
-constexpr std::uint64_t kPiece = 1u << 16;
-constexpr std::uint64_t kResults = (std::uint64_t{1} << 27) + kPiece;
+constexpr std::uint64_t kPiece = 65521;  // a prime: no bit of the count is 0 at the end of each
+constexpr std::uint64_t kPieces = (std::uint64_t{1} << 27) / kPiece + 2;
+constexpr std::uint64_t kResults = kPieces * kPiece;
 
 // Piece by piece, so that neither end has to hold all of it.
 TEST(LargestArea, IsCountedToItsEnd) {
