@@ -79,9 +79,11 @@ class Flow:
                 / f"{board.name}.{FAMILIES[board.target].pins}")
 
     def options(self, board):
-        """Of the router, but for the seed and the files that it writes."""
+        """Of the router, which works in build/, but for the seed and the files that it writes. The path is
+        relative: YoWASP's programs have a /tmp of their own."""
+        pins = os.path.relpath(self.pins(board), self.root / "build")
         return (f"--{board.device}", "--package", board.package, "--freq", f"{board.clock_mhz:g}",
-                FAMILIES[board.target].pins_option, str(self.pins(board)))
+                FAMILIES[board.target].pins_option, pins)
 
     def pack(self, board):
         """The packer with its options. Raises NextpnrError."""
