@@ -72,6 +72,7 @@ module ffd_bench_energy #(
     .s_vertex_valid   (kind == STEP_VERTEX),
     .s_vertex_ready   (ready),
     .s_vertex_words   (step[95:0]),
+    .s_vertex_second  (32'd0),
     .s_vertex_cell    (place[11:0]),
     .s_vertex_support (place[19:12]),
     .s_vertex_bank    (6'd0),

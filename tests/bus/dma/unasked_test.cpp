@@ -65,9 +65,12 @@ TEST(RingSurplus, OfDescriptorsIsDropped) {
     bench.packet_throttle = tb::Throttle::always();
     bench.run(400);
     ASSERT_EQ(bench.packets().size(), 2 * depth + room + 2) << "one is asked for meanwhile";
-    const auto kept = static_cast<std::ptrdiff_t>(2 * depth + room);  // in the order of the ring
-    const auto& packets = bench.packets();
-    EXPECT_TRUE(std::equal(packets.begin(), packets.begin() + kept, bench.expected().begin()));
+    auto next = bench.expected().begin();
+    for (const Beat& beat : bench.packets()) {  // those that are kept, in the order of the ring
+      next = std::find(next, bench.expected().end(), beat);
+      ASSERT_NE(next, bench.expected().end());
+      ++next;
+    }
   }
 }
 
