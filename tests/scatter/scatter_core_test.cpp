@@ -196,26 +196,29 @@ TYPED_TEST(ScatterCore, BitsOfAnyFunctions) {
 // 32 bits. Vertices lie on corners of cells: functions that are constant give all to one point, the
 // B-spline 8/27 to the one beside it. Narrow words want a million vertices.
 TYPED_TEST(ScatterCore, SumsBeyondAWordSaturate) {
-  constexpr bool kNarrow = TypeParam::kWidth < 17;
-  if (kNarrow && share_of(2) < 2) return;
-  if constexpr (!TypeParam::kRows || (!kNarrow && !TypeParam::kPowers)) {
-    constexpr int kWhole = (1 << (32 - TypeParam::kWidth)) + 600;
-    constexpr int kVertices = TypeParam::kPowers ? kWhole / 8 * 27 : kWhole;
-    this->load(0, {"constant", "constant", "constant"});
-    this->bench_.resize(0, {TypeParam::kAxis, TypeParam::kAxis, TypeParam::kAxis});
-    auto vertex = this->bench_.draw(0);
-    vertex.bank = 0;
+  constexpr bool kNarrow = TypeParam::kWidth < 17, kPowers = TypeParam::kPowers;
+  if ((TypeParam::kRows && (kNarrow || kPowers)) || (kNarrow && share_of(2) < 2)) {
+    GTEST_SKIP() << "millions of clocks";
+  }
+  constexpr int kWhole = (1 << (32 - TypeParam::kWidth)) + 600;
+  constexpr int kVertices = kPowers ? kWhole / 8 * 27 : kWhole;
+  this->load(0, {"constant", "constant", "constant"});
+  this->bench_.resize(0, {TypeParam::kAxis, TypeParam::kAxis, TypeParam::kAxis});
+  auto vertex = this->bench_.draw(0);
+  vertex.bank = 0;
+  for (const int shift : {0, 1}) {  // halved they fit, where there is time to send them again
+    if (shift == 1 && (kNarrow || kPowers)) break;
     for (int c = 0; c < 3; ++c) {
       vertex.words = {{0, 0, 0}, {4 * c, 4 * c, 4 * c}, {0, 0, 0}, -1};
       vertex.words.gradient[c] = c == 1 ? 0x7FFF0000 : 0x80000000;
       for (int v = 0; v < kVertices; ++v) this->send(vertex);
     }
     this->bench_.drain();
-    this->bench_.collect(0, 0);
+    this->bench_.collect(0, shift);
     this->bench_.drain();
     EXPECT_EQ(this->bench_.saturated_words(), 3U);
-    this->expect_no_mismatch();
   }
+  this->expect_no_mismatch();
 }
 
 TYPED_TEST(ScatterCore, EveryCellOfEveryPage) {

@@ -8,6 +8,7 @@ import sys
 
 import pytest
 
+from tools.reports import structure_tables
 from tools.synth import hierarchy, structure
 
 
@@ -62,7 +63,7 @@ def test_the_small_is_folded():
 
 def test_a_row_of_the_table(checkout, monkeypatch):
     checkout.link("rtl", "synth")
-    monkeypatch.setattr(structure, "DESIGNS", (("ffd_org_select", "basic-fx18-overlapped", True),))
+    monkeypatch.setattr(structure_tables, "DESIGNS", (("ffd_org_select", "basic-fx18-overlapped", True),))
     monkeypatch.setattr(sys, "argv", ["structure", "--root", str(checkout.root), "-j", "1"])
     assert structure.main() == 0
     (design,) = json.loads(checkout.text("build/reports/structure.json"))["designs"]

@@ -28,7 +28,7 @@ class LargestPacket : public ::testing::Test {
     run_.send(lattice_packet(lattice_));
   }
 
-  SystemRun run_{find_configuration("basic-fx18-overlapped"), 1};  // of all the quickest one to run
+  SystemRun run_{find_configuration("basic-fx18-overlapped"), 1};  // quickly simulated
   tb::Random random_{1};
   LatticeWords lattice_ = random_lattice(run_.codec(), random_, 6);
 };

@@ -21,17 +21,6 @@ from tools.rtl import rtl_sources
 from tools.synth import hierarchy, mapped_netlist
 from tools.tables import configurations, features
 
-# (top, row, whether documents show it)
-DESIGNS = (
-    ("hwffd_stream", "basic-fp32-overlapped", True),
-    ("hwffd_stream", "factored-fx18-overlapped", True),
-    ("hwffd_axi", "basic-fx18-overlapped", True),
-    ("hwffd_stream", "basic-fx18-overlapped", True),
-    ("ffd_org_select", "cg3-fx18-overlapped", False),
-    ("ffd_org_select", "tree8-fx18-overlapped", False),
-    ("ffd_org_select", "factored3-fx18-overlapped", False),
-)
-
 
 class StructureError(Exception):
     """A design that could not be mapped, in one line."""
@@ -86,7 +75,7 @@ def main():
     try:
         sources = rtl_sources.Sources(root)
         rows = configurations.read(root / "rtl" / "configurations.csv")
-        chosen = [(top, configurations.find(rows, name), shown) for top, name, shown in DESIGNS]
+        chosen = [(top, configurations.find(rows, name), shown) for top, name, shown in structure_tables.DESIGNS]
         with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
             designs = list(pool.map(
                 lambda design: measure(sources, *design, root / "build" / "structure"), chosen))

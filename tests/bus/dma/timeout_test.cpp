@@ -55,18 +55,19 @@ const Transfer kTimedTransfer{
     {{kPackets, 30}, {kPackets + 0x1000, 30}, {kPackets + 0x2000, 30}, {kPackets + 0x3000, 30}},
     40};
 
+/// After a soft reset has ended: the memory is as new, the next transfer whole.
+void expect_next(DmaBench& bench) {
+  bench.memory.forget_open();
+  bench.memory.set_throttles({});
+  bench.checker.forget();
+  bench.set_windows(kEverywhere, kEverywhere);
+  kTimedTransfer.expect_next(bench);
+}
+
 class Timeout : public testing::TestWithParam<std::tuple<Channel, DmaSize>> {
  protected:
   static Channel channel() { return std::get<0>(GetParam()); }
   static const DmaSize& size() { return std::get<1>(GetParam()); }
-  /// After a soft reset has ended: the memory is as new, the next transfer whole.
-  static void expect_next(DmaBench& bench) {
-    bench.memory.forget_open();
-    bench.memory.set_throttles({});
-    bench.checker.forget();
-    bench.set_windows(kEverywhere, kEverywhere);
-    kTimedTransfer.expect_next(bench);
-  }
 };
 std::string channel_name(const testing::TestParamInfo<Timeout::ParamType>& info) {
   static const char* const kNames[] = {"AR", "R", "AW", "W", "B"};
@@ -161,19 +162,37 @@ TEST_P(Timeout, IgnoresAnAnswerThatComesAfterAll) {
   expect_next(bench);
 }
 
-/// Nor does anything come of read data that the memory wakes up with while a soft reset gives it
+/// A channel that wakes up in time gets its soft reset as if it had not slept.
+TEST_P(Timeout, OfAChannelThatWokeUpIsForgotten) {
+  DmaBench bench(size(), 3);
+  bench.memory.set_throttles(shut(channel(), 25, kNever));
+  kTimedTransfer.start(bench, kArea);
+  ASSERT_TRUE(bench.run_until([&] { return bench.status.timeout != 0; }, 1000));
+  bench.memory.set_throttles({});
+  bench.run(3);
+  bench.begin_soft_reset();
+  ASSERT_TRUE(bench.end_soft_reset(500));
+  EXPECT_TRUE(bench.memory.quiet()) << "open bursts are completed";
+  EXPECT_EQ(bench.faults(), "");
+  expect_next(bench);
+}
+
+class ReadTimeout : public testing::TestWithParam<DmaSize> {};
+INSTANTIATE_TEST_SUITE_P(Dma, ReadTimeout, testing::ValuesIn(watched_dma_sizes()),
+                         [](const auto& info) { return info.param.name; });
+
+/// Nothing comes of read data that the memory wakes up with while a soft reset gives it
 /// up, in its last clock neither, be it the beat that fails or any other.
-TEST_P(Timeout, ForgetsAnAnswerOfTheClockInWhichASoftResetEnds) {
-  if (channel() != kR) return;
+TEST_P(ReadTimeout, ForgetsAnAnswerOfTheClockInWhichASoftResetEnds) {
   std::uint64_t answers = 0;
   for (std::uint64_t failing = 0; failing < 4; ++failing) {
     bool told = false;  // of a beat that came in time
     for (std::uint64_t after = 0; !told; ++after) {
-      const std::uint64_t reset = after + size().timeout + 10;
+      const std::uint64_t reset = after + GetParam().timeout + 10;
       for (std::uint64_t wakes = reset; wakes < reset + 6; ++wakes) {
         SCOPED_TRACE(testing::Message() << "beat " << failing << ", shut after " << after
                                         << ", wakes " << wakes - reset << " after the reset");
-        DmaBench bench(size(), failing);
+        DmaBench bench(GetParam(), failing);
         bench.memory.set_throttles(shut(kR, after, wakes - after));
         for (const auto& [address, beats] : kTimedTransfer.packets) {
           bench.memory.fail_read_at(address, failing, cores::kAxiSlverr);
@@ -197,21 +216,6 @@ TEST_P(Timeout, ForgetsAnAnswerOfTheClockInWhichASoftResetEnds) {
     }
   }
   EXPECT_GT(answers, 500U);
-}
-
-/// A channel that wakes up in time gets its soft reset as if it had not slept.
-TEST_P(Timeout, OfAChannelThatWokeUpIsForgotten) {
-  DmaBench bench(size(), 3);
-  bench.memory.set_throttles(shut(channel(), 25, kNever));
-  kTimedTransfer.start(bench, kArea);
-  ASSERT_TRUE(bench.run_until([&] { return bench.status.timeout != 0; }, 1000));
-  bench.memory.set_throttles({});
-  bench.run(3);
-  bench.begin_soft_reset();
-  ASSERT_TRUE(bench.end_soft_reset(500));
-  EXPECT_TRUE(bench.memory.quiet()) << "open bursts are completed";
-  EXPECT_EQ(bench.faults(), "");
-  expect_next(bench);
 }
 
 }  // namespace
