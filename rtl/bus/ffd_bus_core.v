@@ -6,7 +6,8 @@
 //
 // Formats:    as hwffd_stream; addresses of ADDRESS_WIDTH bits, data of DATA_WIDTH.
 // Pipeline:   as hwffd_stream behind the DMA's queues; words as in ffd_bus_registers.
-// Cuts:       every output but the answers to words leaves a register, or is a constant.
+// Cuts:       every output but the answers to words leaves a register, with HARDENED gates behind
+//             some, or is a constant.
 // Not checked: nothing on a bus can hang it but a slave that does not answer, and that only for
 //             BUS_TIMEOUT clocks.
 // Parameters: as in hwffd_axi, without SECURE_ONLY and RESET_REGISTER.

@@ -16,7 +16,7 @@
 // Formats:    fxW only: coordinate and weights Q2.(W-2), the coordinate's flag in each of them.
 //             docs/numerics.md section 5 says where it rounds: s^2 for the second multiplication
 //             and each weight, half up; s^2 and s^3 are cut GUARD bits behind a unit.
-// Error:      1.7 units of a weight, 1.6 of a derivative's.
+// Error:      1.75 units of a weight, 1.6 of a derivative's.
 // Overflow:   none: all is within [-1, 1] where the coordinate is in [0, 1].
 // Pipeline:   s^2: MUL_LATENCY + ADD_LATENCY | s^3: the same | s^3/6: MUL_LATENCY, the sums
 //             ADD_LATENCY. II 1, never frozen.

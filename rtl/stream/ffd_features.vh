@@ -1,5 +1,5 @@
 // Made from rtl/bus/registers.csv by tools/tables/registers.py; changes here are lost.
-// What a core has, bits of FEATURES; docs/interface.md section 1.
+// What a core has, bits of FEATURES; docs/registers.md section 5.
 // SPDX-License-Identifier: Apache-2.0
 `ifndef FFD_FEATURES_VH
 `define FFD_FEATURES_VH

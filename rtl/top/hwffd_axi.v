@@ -5,7 +5,7 @@
 //
 // Formats:    as hwffd_stream; addresses of ADDRESS_WIDTH bits, data of DATA_WIDTH.
 // Pipeline:   as hwffd_stream behind the DMA's queues.
-// Cuts:       every output leaves a register, or is a constant.
+// Cuts:       every output leaves a register, with HARDENED gates behind some, or is a constant.
 // Clock:      it may stop where sleep_o is 1 and no request is offered (docs/interface.md).
 // Not checked: nothing on a bus can hang it but a slave that does not answer, and that only for
 //             BUS_TIMEOUT clocks.

@@ -140,11 +140,12 @@ module hwffd_scatter #(
   );
 
   ffd_stream_packet_check u_check_packets (
-    .clk     (clk),
-    .rst     (rst),
-    .event_i (event_o),
-    .packet_i(event_packet_o),
-    .beat_i  (event_beat_o)
+    .clk        (clk),
+    .rst        (rst),
+    .grid_stop_i(1'b0),
+    .event_i    (event_o),
+    .packet_i   (event_packet_o),
+    .beat_i     (event_beat_o)
   );
 
   ffd_scatter_decoder #(

@@ -178,11 +178,12 @@ module hwffd_stream #(
   );
 
   ffd_stream_packet_check u_check_packets (
-    .clk     (clk),
-    .rst     (rst),
-    .event_i (event_o),
-    .packet_i(event_packet_o),
-    .beat_i  (event_beat_o)
+    .clk        (clk),
+    .rst        (rst),
+    .grid_stop_i(grid_stop_i),
+    .event_i    (event_o),
+    .packet_i   (event_packet_o),
+    .beat_i     (event_beat_o)
   );
 
   ffd_stream_ingress #(

@@ -58,8 +58,8 @@ def parser(prog):
     add("--top", choices=configuration.TOPS, default=configuration.TOPS[0], help="default: %(default)s")
     add("--row", metavar="NAME", help="a row of the table of configurations, which other options change")
     add("--org", help=f"organization, such as walk or factored/3 (default: {configuration.DEFAULT_ORG})")
-    add("--format", help="number format: fp32, bfp32, or fx12 to fx32 (default: that of the first row of the "
-        "organization)")
+    add("--format", help="number format: fp32, bfp32, or fx12 to fx32 (default: that of the organization's first "
+        "overlapped row)")
     add("--n", type=_number, help="control points taken in one clock, where the organization has a choice")
     add("--schedule", choices=configurations.SCHEDULES)
     add("--evaluator", choices=configurations.EVALUATORS)

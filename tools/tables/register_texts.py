@@ -104,7 +104,7 @@ def features_rtl_text(registers):
     # A term of the sum stays on one line.
     terms = [f"({condition(field.name)} ? {field.mask} : 0)".replace(" ", "~") for field in features(registers)]
     word = textwrap.wrap(f"`define FFD_FEATURES_NAMED ({' + '.join(terms)})", 94)
-    return "\n".join([f"// {GENERATED}", "// What a core has, bits of FEATURES; docs/interface.md section 1.",
+    return "\n".join([f"// {GENERATED}", "// What a core has, bits of FEATURES; docs/registers.md section 5.",
                       "// SPDX-License-Identifier: Apache-2.0", "`ifndef FFD_FEATURES_VH", "`define FFD_FEATURES_VH", *lines,
                       "// FEATURES of a module with the parameters of hwffd_stream.",
                       " \\\n  ".join(word).replace("~", " "), "`endif"]) + "\n"
