@@ -22,7 +22,7 @@ std::vector<const Configuration*> built_rows() {
   for (const Configuration& row : configurations()) {
     if (std::string(row.format) == "bfp32" && cores::has_evaluator_core(row)) rows.push_back(&row);
   }
-  if (rows.empty()) throw Error("no row of bfp32 in this build: configure it by make bfp");
+  if (rows.empty()) throw Error("no row of bfp32 in this build: configure it by make -C lab bfp");
   return rows;
 }
 

@@ -1,4 +1,4 @@
-"""make bounds: bounds of the errors of weights and of every form, proved, beside errors that are reached.
+"""make -C lab bounds: bounds of the errors of weights and of every form, proved, beside errors that are reached.
 
     python3 -m lab.bounds [--build FOLDER] [--facts FILE ...] [--form FORM] [--format FORMAT] [--no-coq]
 
@@ -41,7 +41,7 @@ def search(options, name):
     folder.mkdir(parents=True, exist_ok=True)
     program = options.build / "lab" / "bounds" / "hwffd-bounds"
     if not program.exists():
-        raise gappa.BoundsError(f"{program} is not there: make bounds builds it")
+        raise gappa.BoundsError(f"{program} is not there: make -C lab bounds builds it")
     form = rows.searched(options.form)
     command = [program, "--output", folder, f"--format={name}", *([f"--form={form}"] if form else [])]
     if subprocess.run(command, check=False).returncode != 0:

@@ -1,4 +1,4 @@
-"""make energy: what a vertex costs in an evaluator of standard cells, by the toggles of its nets.
+"""make -C lab energy: what a vertex costs in an evaluator of standard cells, by the toggles of its nets.
 
     python3 -m lab.energy [--row ROW ...] [--words PROGRAM] [--output FOLDER]
 

@@ -102,7 +102,7 @@ int main(int argc, char** argv) {
   std::int64_t vertices = 32;
   std::uint64_t seed = 1;
   return run_program("hwffd-energy-words", [&] {
-    CLI::App app("Writes vertices as words for the bench of `make energy`.");
+    CLI::App app("Writes vertices as words for the bench of `make -C lab energy`.");
     app.add_option("--row", row, "of rtl/configurations.csv")->required();
     app.add_option("--folder", folder, "for steps.hex and results.hex")->required();
     app.add_option("--vertices", vertices, "each with points of its own")

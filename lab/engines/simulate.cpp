@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
   std::string output;
   std::uint64_t seed = 1;
   return run_program("hwffd-engine", [&] {
-    CLI::App app("Recorded commands through one core, for `make engines`.");
+    CLI::App app("Recorded commands through one core, for `make -C lab engines`.");
     app.add_option("--row", row, "of rtl/configurations.csv, that of the core")->required();
     app.add_option("--folder", folder, "with what hwffd-engines-words wrote")->required();
     app.add_option("--output", output, "folder for the answers")->required();

@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
   std::string folder;
   std::int64_t beats = std::numeric_limits<std::int64_t>::max();
   return run_program("hwffd-engines-words", [&] {
-    CLI::App app("Writes recorded commands and the model's answers for `make engines`.");
+    CLI::App app("Writes recorded commands and the model's answers for `make -C lab engines`.");
     app.add_option("--row", row, "of rtl/configurations.csv")->required();
     app.add_option("--folder", folder, "for beats.hex and model/")->required();
     app.add_option("--beats", beats, "as many at least, up to the end of a packet; or all")

@@ -1,4 +1,4 @@
-"""make mutants: single changes of the RTL, and whether the tests see them.
+"""make -C lab mutants: single changes of the RTL, and whether the tests see them.
 
     python3 -m lab.mutants [--build FOLDER] [--only NAME ...] [--mutants N | --sample] [--seed N]
                            [--report FILE] [-j JOBS]

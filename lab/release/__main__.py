@@ -1,4 +1,4 @@
-"""make results: all studies, one after the other, on one commit without local changes, for a release.
+"""make -C lab results: all studies, one after the other, on one commit without local changes, for a release.
 
     python3 -m lab.release [--root FOLDER] [--studies FILE] [--only NAME,...]
 

@@ -1,4 +1,4 @@
-"""make coverage: which lines, branches and bits of the RTL the tests run, and which lines of the C++.
+"""make -C lab coverage: which lines, branches and bits of the RTL the tests run, and which lines of the C++.
 
     python3 -m lab.rtl_coverage [--build FOLDER] [-j JOBS] [--share N] [--only PATTERN]
 

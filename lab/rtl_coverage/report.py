@@ -1,4 +1,4 @@
-"""The report of `make coverage`, and what in it falls short.
+"""The report of `make -C lab coverage`, and what in it falls short.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -8,6 +8,7 @@ from lab.rtl_coverage.counts import KINDS, modules
 # Percent of each module; of C++ in each folder.
 LEAST = {"line": 100.0, "branch": 100.0, "toggle": 99.0}
 LEAST_CPP = {"line": 95.0, "branch": 90.0}
+PLURALS = {"line": "lines", "branch": "branches", "toggle": "toggles"}
 SHOWN = 20  # places of a module that are named
 
 
@@ -23,7 +24,7 @@ def row(module, places, counts, left_out):
         asked = [place for place in places[kind] if place not in left_out]
         run = [place for place in asked if counts[place]]
         counted[kind] = _percent(len(run), len(asked))
-        counted[f"{kind}s"] = len(asked)
+        counted[PLURALS[kind]] = len(asked)
         missed += [f"{kind} {place.line} {place.what}".rstrip() for place in asked
                    if not counts[place]]
     counted["excluded"] = sum(place in left_out for kind in KINDS for place in places[kind])
@@ -43,7 +44,7 @@ def faults(report):
     """What falls short, a line each."""
     violations = []
     for entry in report["rows"]:
-        if not any(entry[f"{kind}s"] for kind in KINDS):
+        if not any(entry[PLURALS[kind]] for kind in KINDS):
             violations.append(f"{entry['module']}: no program has it")
         violations += [f"{entry['module']}: {kind} {entry[kind]} %, need {least:g}"
                        for kind, least in LEAST.items() if entry[kind] is not None and entry[kind] < least]

@@ -1,4 +1,4 @@
-"""make soak: random traffic with seeds that no test has had, for so many hours.
+"""make -C lab soak: random traffic with seeds that no test has had, for so many hours.
 
     python3 -m lab.soak [--build FOLDER] [--hours H] [--only NAME ...] [--corpus FILE] [-j JOBS]
     python3 -m lab.soak [--build FOLDER] --seed N --part FILE [--only NAME ...] [-j JOBS]

@@ -1,4 +1,4 @@
-"""make theorems: the arithmetic units against what they should compute, for all operands.
+"""make -C lab theorems: the arithmetic units against what they should compute, for all operands.
 
     python3 -m lab.theorems [--only NAME ...] [--nightly | --quick] [-j JOBS] [--build FOLDER]
 

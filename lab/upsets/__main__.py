@@ -1,4 +1,4 @@
-"""make upsets: single bits of registers and memories flip while traffic runs, and what becomes of each.
+"""make -C lab upsets: single bits of registers and memories flip while traffic runs, and what becomes of each.
 
     python3 -m lab.upsets [--programs FOLDER] [--designs FOLDER] [--output FOLDER] [--core NAME ...]
                           [--flips N] [--seed N] [-j JOBS] [--part FILE | --join FILE ...]

@@ -66,13 +66,13 @@ TEST(Scoreboard, ReportSaysWhereAndHowToRepeat) {
 }
 
 TEST(Scoreboard, ReplayCommandCanBeGiven) {
-  Scoreboard board({"t", 1, "make soak SEED=1"});
+  Scoreboard board({"t", 1, "make -C lab soak SEED=1"});
   board.receive(beat(1), 5);
   ASSERT_EQ(board.reports().size(), 1u);
   EXPECT_EQ(board.reports()[0],
             "t seed 1: beat 0, cycle 5, tag 0001: unexpected\n"
             "  got      00000001 22222222 33333333 abcd0001\n"
-            "  replay   make soak SEED=1");
+            "  replay   make -C lab soak SEED=1");
 }
 
 }  // namespace

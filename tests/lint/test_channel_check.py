@@ -66,33 +66,55 @@ def test_what_breaks_a_rule_ends(checkout, rule):
 
 PACKETS = """
 module bench;
-  reg clk = 1'b0, rst = 1'b1;
+  reg clk = 1'b0, rst = 1'b1, stop = 1'b0;
   reg [15:0] events = 16'hFFFF;
   ffd_stream_packet_check u_check (
-    .clk(clk), .rst(rst), .event_i(events), .packet_i(32'd7), .beat_i(32'd2));
+    .clk(clk), .rst(rst), .grid_stop_i(stop), .event_i(events), .packet_i(32'd7), .beat_i(32'd2));
   always #5 clk = !clk;
   initial begin
     repeat (2) @(posedge clk);
     rst <= 1'b0;
+    stop <= {};
+    events <= 16'd0;
+    @(posedge clk);
+    stop <= 1'b0;
+    repeat (5) @(posedge clk);
     events <= 16'd1 << {};
-    repeat (3) @(posedge clk);
+    @(posedge clk);
+    events <= 16'd0;
+    @(posedge clk);
+    events <= 16'd1 << {};
+    repeat (2) @(posedge clk);
     $display("at the end");
     $finish;
   end
 endmodule
 """
 COMPUTED = (8, 9, 15)  # a coordinate that is clamped, a result that saturates, a page of sums
+GRID = 13
+
+
+def checked(checkout, stop, *numbers, flags=("-DFFD_PACKET_ASSERTIONS",)):
+    """How the bench ends after two events, behind a stop or none, and what it prints."""
+    checkout.put({"bench.v": PACKETS.format(f"1'b{int(stop)}", *numbers)})
+    status, _, errors = checkout.run("iverilog", "-g2005", "-Wall", *flags, f"-I{ROOT / 'rtl' / 'stream'}", "-o", "bench", "-s",
+                                     "bench", "bench.v", ROOT / "rtl" / "stream" / "ffd_stream_packet_check.v")
+    assert status == 0 and "error" not in errors
+    return checkout.run("vvp", "-n", "-N", "bench")[:2]
 
 
 @pytest.mark.parametrize("number", range(16))
 def test_a_bad_packet_ends(checkout, number):
-    checkout.put({"bench.v": PACKETS.format(number)})
-    for flags in ((), ("-DFFD_PACKET_ASSERTIONS",)):
-        status, _, errors = checkout.run("iverilog", "-g2005", "-Wall", *flags, f"-I{ROOT / 'rtl' / 'stream'}", "-o", "bench", "-s",
-                                         "bench", "bench.v", ROOT / "rtl" / "stream" / "ffd_stream_packet_check.v")
-        assert status == 0 and "error" not in errors
-        status, printed, _ = checkout.run("vvp", "-n", "-N", "bench")
-        if flags and number not in COMPUTED:
-            assert status != 0 and f"bad packet 7, beat 2: event {number}, bench.u_check" in printed
-        else:
-            assert (status, printed) == (0, "at the end\n")
+    status, printed = checked(checkout, False, number, number)
+    if number in COMPUTED:
+        assert (status, printed) == (0, "at the end\n")
+    else:
+        assert status != 0 and f"bad packet 7, beat 2: event {number}, bench.u_check" in printed
+    assert checked(checkout, False, number, number, flags=()) == (0, "at the end\n")
+
+
+def test_a_grid_that_is_stopped_is_none(checkout):
+    assert checked(checkout, True, GRID, COMPUTED[0]) == (0, "at the end\n")
+    for numbers in ((GRID, GRID), (COMPUTED[0], GRID - 1)):  # the next grid, and another event behind a stop
+        status, printed = checked(checkout, True, *numbers)
+        assert status != 0 and f"event {numbers[1]}, bench.u_check" in printed

@@ -90,7 +90,7 @@ def test_sentences_and_tables_of_a_template(blocks):
     ("<!-- results 1.0.0: sim.rows -->\nno end\n", "other half"), ("<!-- end results -->\n", "other half"),
     ("a <!--= sim.model -->cat.3ds<!--/--> b", "other half"), ("<!-- figures: sim.rows -->", "other half"),
     ("<!-- results: sim.rows -->\n<!-- end results -->", "names its version"),
-    ("<!-- results 1.0.1: sim.rows -->\n<!-- end results -->", "1.0.1 has no results: one of 1.0.0, or make results"),
+    ("<!-- results 1.0.1: sim.rows -->\n<!-- end results -->", "1.0.1 has no results: one of 1.0.0, or make -C lab results"),
     ("<!-- results 1.0.0: sim.rows org=x\na | org\n-->\n<!-- end results -->", "the table has no rows"),
     ("<!-- results 1.0.0: sim.rows -->\n<!-- end results -->", "each column is a line"),
     ("<!-- results 1.0.0: sim.none -->\n<!-- end results -->", "sim has no table 'none'"),
@@ -169,7 +169,7 @@ def test_texts_of_the_next_release(checkout, blocks):
 
 @pytest.mark.parametrize("release, message", (
     ({}, ""), ({"mixed": True, "why": "measured one by one"}, ""), ({"mixed": True}, "is mixed and does not say why"),
-    ({"commit": "abd"}, "sim.json is of another commit than abd: measure all with make results"),
+    ({"commit": "abd"}, "sim.json is of another commit than abd: measure all with make -C lab results"),
     ({"version": "1.0.1"}, "says version 1.0.1"), ({"studies": {"words": {}}}, "words.json: cannot be read")))
 def test_results_of_several_commits_say_so(checkout, blocks, release, message):
     checkout.put({"docs/results/1.0.0/release.json": {**RELEASE, **release}})
@@ -180,7 +180,7 @@ def test_results_of_several_commits_say_so(checkout, blocks, release, message):
 
 
 def test_without_results():
-    with pytest.raises(results.RequestError, match="docs/results has no results: make results"):
+    with pytest.raises(results.RequestError, match="docs/results has no results: make -C lab results"):
         results.released("/nowhere")
 
 
@@ -192,5 +192,5 @@ def test_the_gate(checkout, blocks):
                   "docs/results/1.0.0/release.json": {**RELEASE, "commit": "abd"}})
     status, out, errors = checkout.module("tools.checks.lint", "--text", "--root", ".")
     assert (status, errors) == (1, "")
-    assert "README.md:3: 1.2.0 has no results: one of 1.0.0, or make results" in out
+    assert "README.md:3: 1.2.0 has no results: one of 1.0.0, or make -C lab results" in out
     assert "sim.json is of another commit than abd" in out

@@ -70,7 +70,7 @@ def released(root, version="", modules=()):
     known = versions(root)
     if not known or version and version not in known:
         raise RequestError(f"{version or RELEASED} has no results: " + (
-            f"one of {', '.join(known)}, or make results" if known else "make results"))
+            f"one of {', '.join(known)}, or make -C lab results" if known else "make -C lab results"))
     return Results(root, f"{RELEASED}/{version or known[-1]}", modules)
 
 

@@ -233,7 +233,7 @@ def releases(root):
             commits = {name: results.read(folder / f"{name}.json").get("commit") for name in release["studies"]}
             if (other := sorted(name for name, commit in commits.items() if commit != release.get("commit"))):
                 raise RequestError(f"{other[0]}.json is of another commit than {release.get('commit')}: measure all "
-                                   "with make results")
+                                   "with make -C lab results")
         except (RequestError, KeyError) as error:
             wrong.append(f"{results.RELEASED}/{version}/{results.RELEASE}: {error}")
     return wrong

@@ -47,7 +47,7 @@ def _library():
         from hwffd import _core  # pylint: disable=import-outside-toplevel
     except ImportError as error:
         raise Refused(f"the Python package hwffd is wanted, whose model says what a core answers ({error}): "
-                      "make hwffd, or pip install pyhwffd[core]") from error
+                      "make hwffd installs it") from error
     return _core
 
 

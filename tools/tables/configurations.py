@@ -154,7 +154,7 @@ def find(configurations, name):
         if configuration.name == name:
             return configuration
     gone.refuse(name)
-    raise TableError(f"no configuration named '{name}'")
+    raise TableError(f"no configuration named '{name}': rtl/configurations.csv has them")
 
 
 def of_tier(configurations, tier, top=TOPS[0]):

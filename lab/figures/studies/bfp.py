@@ -1,4 +1,4 @@
-"""make bfp: block floating point, its error and the bits of its organizations.
+"""make -C lab bfp: block floating point, its error and the bits of its organizations.
 
 SPDX-License-Identifier: Apache-2.0
 """

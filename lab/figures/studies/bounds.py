@@ -1,4 +1,4 @@
-"""make bounds: what is proved of errors, beside errors that are reached.
+"""make -C lab bounds: what is proved of errors, beside errors that are reached.
 
 SPDX-License-Identifier: Apache-2.0
 """

@@ -41,7 +41,7 @@ def _scaled(row, field, unit, form):
 
 
 def cells(reports):
-    """Evaluators in standard cells, where make energy has been: they have an energy and no clock."""
+    """Evaluators in standard cells, where make -C lab energy has been: they have an energy and no clock."""
     measured = reports.rows("energy") if reports.has("energy") else []
     return [[f"`ffd_org_select` {row['name']}", row["device"], *["-"] * 5,
              shown(row["energy_nj_per_vertex"], ".1f"), "-"] for row in measured]
@@ -130,10 +130,12 @@ def _most_per_multiplier(reports):
 
 
 def missing(reports):
-    """What is committed has every kind of row."""
-    absent = [kind for kind in KINDS[:4]
-              if not any(row["kind"] == kind for row in reports.rows("compare"))]
-    return f"rows of kind {', '.join(absent)}" if absent else ""
+    """What is committed has every kind of row, and each core with streams that was routed; variants may have none."""
+    measured = reports.rows("compare")
+    absent = [f"rows of kind {kind}" for kind in KINDS[:4] if not any(row["kind"] == kind for row in measured)]
+    named = {row["what"] for row in measured}
+    routed = [f"{row['top']} {row['name']}" for row in reports.rows("pnr", top="hwffd_stream") if "+" not in row["name"]]
+    return ", ".join(absent + [name for name in dict.fromkeys(routed) if name not in named])
 
 
 TABLES = {"programs": programs, "grids": grids}

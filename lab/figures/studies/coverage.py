@@ -1,4 +1,4 @@
-"""make coverage: lines, branches and bits that the tests run.
+"""make -C lab coverage: lines, branches and bits that the tests run.
 
 SPDX-License-Identifier: Apache-2.0
 """

@@ -1,4 +1,4 @@
-"""make embed: meshes, and points by construction, in lattices of every kind.
+"""make -C lab embed: meshes, and points by construction, in lattices of every kind.
 
 SPDX-License-Identifier: Apache-2.0
 """

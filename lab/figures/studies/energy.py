@@ -1,4 +1,4 @@
-"""make energy: what a vertex costs in evaluators of standard cells.
+"""make -C lab energy: what a vertex costs in evaluators of standard cells.
 
 SPDX-License-Identifier: Apache-2.0
 """

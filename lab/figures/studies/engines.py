@@ -1,4 +1,4 @@
-"""make engines: the recorded commands through other simulators.
+"""make -C lab engines: the recorded commands through other simulators.
 
 SPDX-License-Identifier: Apache-2.0
 """

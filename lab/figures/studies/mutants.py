@@ -1,4 +1,4 @@
-"""make mutants: single changes of the RTL, and whether the tests see them.
+"""make -C lab mutants: single changes of the RTL, and whether the tests see them.
 
 SPDX-License-Identifier: Apache-2.0
 """

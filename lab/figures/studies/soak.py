@@ -1,4 +1,4 @@
-"""make soak: random traffic by the hour.
+"""make -C lab soak: random traffic by the hour.
 
 SPDX-License-Identifier: Apache-2.0
 """

@@ -1,11 +1,11 @@
-"""make tangents: derivatives and det J out of the RTL.
+"""make -C lab tangents: derivatives and det J out of the RTL.
 
 SPDX-License-Identifier: Apache-2.0
 """
 
 from tools.reports.text_table import listing
 
-FORMATS = 4  # that a whole report has
+FORMATS = {"fp32", "fx17", "fx18", "fx32", "bfp32"}  # that a whole report has
 
 
 def formats(reports):
@@ -27,7 +27,7 @@ def printed(reports):
 
 
 def missing(reports):
-    return "" if len(reports.rows("tangents")) >= FORMATS else "formats"
+    return ", ".join(sorted(FORMATS - {row["format"] for row in reports.rows("tangents")}))
 
 
 TABLES = {"formats": formats}

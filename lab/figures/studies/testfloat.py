@@ -1,4 +1,4 @@
-"""make testfloat: the binary32 units on operands by TestFloat's scheme.
+"""make -C lab testfloat: the binary32 units on operands by TestFloat's scheme.
 
 SPDX-License-Identifier: Apache-2.0
 """

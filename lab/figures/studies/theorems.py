@@ -1,4 +1,4 @@
-"""make theorems: arithmetic units against what they should compute.
+"""make -C lab theorems: arithmetic units against what they should compute.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -6,7 +6,7 @@ SPDX-License-Identifier: Apache-2.0
 from tools.reports.text_table import Table, shown
 
 PROVED, REFUTED = "proved", "refuted"
-# Proved by `make theorems NIGHTLY=1` only; a report without them is whole.
+# Proved by `make -C lab theorems NIGHTLY=1` only; a report without them is whole.
 FIRST = ("product.parts", "fx.round", "num.step", "num.in", "num.out.block", "fp32.add", "fp32.mul")
 
 

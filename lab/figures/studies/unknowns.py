@@ -1,4 +1,4 @@
-"""make engines: what is X in Icarus Verilog.
+"""make -C lab engines: what is X in Icarus Verilog.
 
 SPDX-License-Identifier: Apache-2.0
 """

@@ -1,4 +1,4 @@
-"""make upsets: bits that flip while the core works.
+"""make -C lab upsets: bits that flip while the core works.
 
 SPDX-License-Identifier: Apache-2.0
 """

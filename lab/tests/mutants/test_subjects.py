@@ -1,4 +1,4 @@
-"""Every subject of make mutants names a model and programs of this build, which may not be made yet; and the module
+"""Every subject of make -C lab mutants names a model and programs of this build, which may not be made yet; and the module
 that says for which inputs a design is made has each of its ports: an output that it left out would not be compared.
 
 SPDX-License-Identifier: Apache-2.0

@@ -1,4 +1,4 @@
-"""make packages: the archive of a small tree, with trials of its own.
+"""make -C lab packages: the archive of a small tree, with trials of its own.
 
 SPDX-License-Identifier: Apache-2.0
 """

@@ -1,4 +1,4 @@
-"""make results on stand-ins for the studies: what it takes, refuses and goes on with.
+"""make -C lab results on stand-ins for the studies: what it takes, refuses and goes on with.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -42,7 +42,7 @@ def command(tree):
 
 @pytest.fixture
 def measured(tree):
-    """(exit status, lines printed, complaints, what was run) of make results."""
+    """(exit status, lines printed, complaints, what was run) of make -C lab results."""
     def run(*words):
         status, out, errors = tree.run(*command(tree), *words)
         ran = tree.root / "build" / "ran"

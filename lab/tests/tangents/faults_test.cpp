@@ -1,4 +1,5 @@
-// What `make tangents` says of a row that does not hold: it ends with 1 where this is not empty.
+// What `make -C lab tangents` says of a row that does not hold: it ends with 1 where this is not
+// empty.
 #include <gtest/gtest.h>
 
 #include <cmath>
