@@ -1,4 +1,4 @@
-"""Twists points of a sphere on the bit-true model of the hardware."""
+"""Twists points of a sphere in a lattice of its shape."""
 import hwffd
 import numpy as np
 

@@ -91,7 +91,7 @@ hwffd_lattice* hwffd_lattice_new(const int dims[3], const double* points) {
 hwffd_lattice* hwffd_lattice_read(const char* path) {
   return new_handle<hwffd_lattice>([&] {
     need(path, "path");
-    return read_lattice(path);
+    return DeformableLattice::read(path);
   });
 }
 

@@ -12,6 +12,8 @@
 
 struct hwffd_lattice : hwffd::DeformableLattice {
   using hwffd::DeformableLattice::DeformableLattice;
+  explicit hwffd_lattice(hwffd::DeformableLattice lattice)
+      : hwffd::DeformableLattice(std::move(lattice)) {}
 };
 
 namespace hwffd::c {

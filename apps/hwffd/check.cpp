@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "commands.hpp"
 #include "hwffd/error.hpp"
@@ -12,6 +13,7 @@
 #include "hwffd/lattice/lattice_file.hpp"
 #include "outputs.hpp"
 #include "report.hpp"
+#include "stages.hpp"
 
 namespace hwffd::command {
 namespace {
@@ -24,21 +26,22 @@ A lattice folds where det J changes its sign. "proved" holds of every point of i
 
 struct CheckOptions {
   std::vector<std::string> files;
-  std::string family = Family().name();
+  std::string family;  ///< of all; empty: what each file says
   int depth = kFoldDepth;
   std::string report;
 };
 
 int run(const CheckOptions& options) {
   check_outputs({{"--json", options.report}});
-  const Family family = Family::parse(options.family);
+  const std::optional<Family> named = family_named(options.family);
   Json lattices = Json::array();
   std::string text;
   bool proved = true;
   double first_volume = 0;
   for (const std::string& file : options.files) {
-    const Lattice lattice = read_lattice(file);
-    const FoldCheck check = check_folds(whole(lattice, family), options.depth, family);
+    const LatticeFile read = read_lattice_file(file, named);
+    const Lattice& lattice = read.lattice;
+    const FoldCheck check = check_folds(whole(lattice, *read.family), options.depth, *read.family);
     proved = proved && check.verdict == FoldCheck::Verdict::kProved;
     text += fmt::format("{} {}: {}, volume {:.6g}", file, dims_text(lattice.dims()), check.text(),
                         check.volume);
@@ -64,8 +67,8 @@ Action add_check(CLI::App& app) {
   app.add_option("lattices", options->files, "lattice files; volumes are compared with the first")
       ->required();
   app.add_option("--family", options->family,
-                 fmt::format("blending functions of all: {} (default: {})",
-                             fmt::join(Family::names(), ", "), options->family));
+                 fmt::format("blending functions of all: {} (default: what a file says, else {})",
+                             fmt::join(Family::names(), ", "), Family().name()));
   app.add_option("--depth", options->depth, "times a cell is halved at most (6)")
       ->check(CLI::Range(0, 12));
   app.add_option("--json", options->report, "report to write; - for standard output");

@@ -29,7 +29,7 @@ constexpr const char* kDeformExamples = R"(Examples:
   hwffd deform horse.3ds --lattice sphere --deform twist:90 -o out.ply
   hwffd deform cat.3ds --dims 4x8x4 --deform helix:90 --deform bend:30:yz -o cat.ply
   hwffd deform cat.3ds --dims 6x6x6 --deform bend:60 --deform taper:0.5 -o cat.obj
-  hwffd deform cat.3ds --deform twist:90 --device rtl --org factored/3 --format fx18 -o cat.glb
+  hwffd deform cat.3ds --deform twist:90 --device rtl --org factored --format fx18 -o cat.glb
   hwffd deform chair.obj --lattice box --region 0,0,0,1,2,1 --deform twist:40 --outside fade:0.2
         --lattice box --deform bend:30 -o chair.obj        (local first, then global)
   hwffd deform chair.obj --deform bend:30 --group seat --group back -o chair.obj

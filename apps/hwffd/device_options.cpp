@@ -15,10 +15,10 @@ void add_device_options(CLI::App& app, DeviceChoice& choice) {
          "organization of a model, rtl or board: basic (default; of a board what it has as it "
          "comes), cg3, factored/3, ..., or a row of hwffd info, such as basic-fp32-overlapped-fmac")
       ->needs(device);
-  app.add_option(
-         "--format", choice.format,
-         "number format of a model, rtl or board: fp32 (default), bfp32, fx18, fx32; a row has its "
-         "own")
+  app.add_option("--format", choice.format,
+                 "number format of a model, rtl or board: fp32 (default), bfp32, fx16, fx17, fx18, "
+                 "fx32; a row "
+                 "has its own")
       ->needs(device);
 }
 

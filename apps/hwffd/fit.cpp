@@ -59,9 +59,8 @@ int run(const FitCommand& options, const StageOptions& stage_options) {
   show_progress("fit", 1.0);
 
   if (!options.output.empty()) {
-    LatticeFile file{lattice.deformed(), lattice.rest(), std::nullopt};
-    if (lattice.family().kind() != Family().kind()) file.family = lattice.family();
-    write_output(options.output, lattice_text(file));
+    write_output(options.output,
+                 lattice_text({lattice.deformed(), lattice.rest(), lattice.family()}));
   }
   if (!options.report.empty()) {
     write_report(options.report, {{"points", points.rows()},

@@ -4,12 +4,14 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "commands.hpp"
 #include "geometry.hpp"
 #include "hwffd/device/device.hpp"
 #include "hwffd/excerpt.hpp"
 #include "hwffd/lattice/closure.hpp"
+#include "hwffd/lattice/few_points.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
 #include "hwffd/mesh/extension.hpp"
 #include "hwffd/version.h"
@@ -44,7 +46,8 @@ Json build_info() {
 }
 
 Json lattice_info(const std::string& file) {
-  const Lattice lattice = read_lattice(file);
+  const LatticeFile read = read_lattice_file(file, std::nullopt);
+  const Lattice& lattice = read.lattice;
   const Closure closure(lattice);
   Json closed = Json::array();
   for (int axis = 0; axis < 3; ++axis) {
@@ -52,7 +55,8 @@ Json lattice_info(const std::string& file) {
   }
   Json info{{"lattice", file},
             {"dims", lattice.dims()},
-            {"cells", lattice.cells()},
+            {"family", read.family->name()},
+            {"cells", read.family->cells(whole_dims(lattice.dims(), *read.family))},
             {"closed_axes", std::move(closed)},
             {"collapsed_faces", closure.collapsed().size()}};
   info.update(extent(lattice.points()));

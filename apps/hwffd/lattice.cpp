@@ -36,7 +36,7 @@ int run(const LatticeOptions& options, const StageOptions& stage_options) {
   }
   const Lattice rest = rest_lattice(texts.front(), points);
   const Lattice deformed = deformed_lattice(texts.front(), rest);
-  write_output(options.output, lattice_text(deformed));
+  write_output(options.output, lattice_text(file_of(texts.front(), deformed, rest)));
   if (options.output != "-") {
     fmt::print("wrote {}: {} points\n", options.output, dims_text(deformed.dims()));
   }

@@ -7,8 +7,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "dims.hpp"
 #include "hwffd/error.hpp"
@@ -77,6 +79,16 @@ Points parse_region(const std::string& text) {
   return corners;
 }
 
+/// The file with the family of the text, if it names one.
+/// @throws Error where there is no such file, and for points that are too few for the family
+LatticeFile read_stage(const StageText& text) {
+  if (!std::filesystem::exists(text.lattice)) {
+    throw Error(fmt::format("--lattice {}: no file, nor a shape; shapes are {}",
+                            excerpt(text.lattice), shape_list()));
+  }
+  return read_lattice_file(text.lattice, family_named(text.family));
+}
+
 [[noreturn]] void throw_no_volume(const std::string& name) {
   throw Error(fmt::format("lattice '{}': its cells span no volume; spread its points", name));
 }
@@ -141,19 +153,21 @@ std::vector<StageText> StageOptions::texts() const {
   return stages;
 }
 
+std::optional<Family> family_named(const std::string& name) {
+  return name.empty() ? std::nullopt : std::optional<Family>(Family::parse(name));
+}
+
 Family family_of(const StageText& text) {
-  if (!text.family.empty()) return Family::parse(text.family);
-  return is_shape(text.lattice) ? Family()
-                                : read_lattice_file(text.lattice).family.value_or(Family());
+  const std::optional<Family> named = family_named(text.family);
+  return is_shape(text.lattice) ? named.value_or(Family()) : *read_stage(text).family;
 }
 
 Lattice rest_lattice(const StageText& text, const Points& points) {
-  const Family family = family_of(text);
   if (!is_shape(text.lattice)) {
-    const LatticeFile read = read_lattice_file(text.lattice);
-    whole_dims(read.lattice.dims(), family);
-    return read.rest.value_or(read.lattice);
+    const LatticeFile file = read_stage(text);
+    return file.rest.value_or(file.lattice);
   }
+  const Family family = family_of(text);
   std::optional<Index3> dims;
   if (!text.dims.empty()) {
     dims = parse_dims(text.dims, "--dims " + excerpt(text.dims),
@@ -172,7 +186,13 @@ Lattice deformed_lattice(const StageText& text, const Lattice& rest) {
     deformations.push_back(Deformation::parse(word));
   }
   // A file may hold a lattice at rest and deformed already.
-  return deform_lattice(is_shape(text.lattice) ? rest : read_lattice(text.lattice), deformations);
+  return deform_lattice(is_shape(text.lattice) ? rest : read_stage(text).lattice, deformations);
+}
+
+LatticeFile file_of(const StageText& text, Lattice deformed, const Lattice& rest) {
+  const bool apart = !is_shape(text.lattice) && read_stage(text).rest.has_value();
+  return {std::move(deformed), apart ? std::optional<Lattice>(rest) : std::nullopt,
+          family_of(text)};
 }
 
 std::vector<Stage> make_stages(const std::vector<StageText>& texts, const Points& points) {

@@ -7,6 +7,7 @@
 #include "hwffd/lattice/family.hpp"
 #include "hwffd/lattice/fold.hpp"
 #include "hwffd/lattice/lattice.hpp"
+#include "hwffd/lattice/lattice_file.hpp"
 
 namespace CLI {
 class App;
@@ -58,8 +59,12 @@ class StageOptions {
   CLI::Option* deform_;
 };
 
-/// The family of the text.
+/// The family of an option --family, which may be empty.
 /// @throws UsageError for one that is unknown
+std::optional<Family> family_named(const std::string& name);
+
+/// The family of the text, else that of its file, else the usual one.
+/// @throws UsageError, Error for one that is unknown, a file that is no good
 Family family_of(const StageText& text);
 
 /// The lattice at rest; of few points an axis where the text or its file says so (few_points.hpp).
@@ -69,6 +74,9 @@ Lattice rest_lattice(const StageText& text, const Points& points);
 
 /// The lattice with the deformations of the text, in order.
 Lattice deformed_lattice(const StageText& text, const Lattice& rest);
+
+/// What to write of a stage: its family, and the lattice at rest where its file gave one apart.
+LatticeFile file_of(const StageText& text, Lattice deformed, const Lattice& rest);
 
 /// All stages of a command; their lattices have four points and more along each axis.
 /// @throws Error for a lattice at rest whose points lie in one plane

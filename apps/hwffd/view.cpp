@@ -35,10 +35,12 @@ int run(const ViewOptions& options, const StageOptions& stage_options) {
   Mesh mesh = load_model(options.input);
   Stage stage = std::move(make_stages(texts, mesh.positions()).front());
   const std::unique_ptr<Device> device = make_device(options.device);
+  LatticeFile file = file_of(texts.front(), stage.deformed, stage.rest);
   // A file that cannot be written is no reason to lose what was dragged: the window stays.
   const auto save = [&](const Lattice& lattice) {
     try {
-      write_lattice(options.output, lattice);
+      file.lattice = lattice;
+      write_lattice(options.output, file);
       fmt::print("wrote {}\n", options.output);
       std::fflush(stdout);
     } catch (const Error& error) {

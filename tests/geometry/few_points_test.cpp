@@ -150,10 +150,12 @@ TEST(FewPointsOf, FamiliesThatInterpolate) {
 TEST(FewPointsOf, OtherFamiliesAreRefused) {
   for (const char* const name : {"bspline", "clamped"}) {
     EXPECT_ERROR(whole_dims({4, 3, 4}, Family::parse(name)),
-                 "lattice of 4 x 3 x 4 points: each axis takes 4 to 64 points");
+                 std::string("lattice of 4 x 3 x 4 points: each axis takes 4 to 64 points where "
+                             "the family is ") +
+                     name + ", and from 2 on where it is one of bernstein, catmull-rom, linear");
   }
   EXPECT_ERROR(whole_dims({4, 1, 4}, Family::parse("linear")),
-               "lattice of 4 x 1 x 4 points: each axis takes 4 to 64 points");
+               "lattice of 4 x 1 x 4 points: each axis takes 2 to 64 points");
   EXPECT_ERROR(Lattice({1, 4, 4}, Points::Zero(16, 3)),
                "lattice of 1 x 4 x 4 points: each axis takes 2 to 64 points");
 }

@@ -55,6 +55,7 @@ TEST(LatticeFile, FamilyAndRestComeBack) {
   EXPECT_FALSE(parse_lattice_file(lattice_text(rest)).rest);
   EXPECT_FALSE(parse_lattice_file(kBox).family);
   EXPECT_EQ(lattice_text(parse_lattice_file(lattice_text(rest))), lattice_text(rest));
+  EXPECT_EQ(lattice_text(LatticeFile{rest, rest, Family()}), lattice_text(rest));
   const std::string start = R"({"hwffd_lattice": 1, "dims": [2, 2, 2], "points": [)";
   std::string eight = "[0, 0, 0]";
   for (int i = 1; i < 8; ++i) eight += fmt::format(", [{}, {}, {}]", i / 4, i / 2 % 2, i % 2);

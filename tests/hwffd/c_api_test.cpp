@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <limits>
 #include <memory>
 #include <string>
@@ -202,6 +203,26 @@ TEST(CApi, NumbersThatAreNoResultsAreFailures) {
   const Lattice round = ball();
   ASSERT_EQ(hwffd_lattice_outside(round.get(), "clamp"), HWFFD_OK);
   EXPECT_EQ(hwffd_deform(round.get(), far, 1, out), HWFFD_ERROR);
+}
+
+TEST(CApi, AFileOfALatticeBringsItsFamilyAndItsDeformation) {
+  const std::string path = testing::TempDir() + "c_api_lattice.json";
+  std::string rest, points;
+  for (int n = 0; n < 64; ++n) {
+    const std::string tail = std::to_string(n / 4 % 4) + "," + std::to_string(n % 4) + "]";
+    rest += (n == 0 ? "[" : ",[") + std::to_string(n / 16) + "," + tail;
+    points += (n == 0 ? "[" : ",[") + std::to_string(n / 16 + 1) + "," + tail;
+  }
+  std::ofstream(path) << R"({"hwffd_lattice":1,"dims":[4,4,4],"family":"bernstein","rest":[)"
+                      << rest << R"(],"points":[)" << points << "]}";
+  const Lattice lattice(hwffd_lattice_read(path.c_str()));
+  ASSERT_NE(lattice, nullptr) << hwffd_error();
+  const double corner[3] = {0.25, 0.5, 2.75};  // outside of the one cell of B-splines
+  double moved[3] = {0, 0, 0};
+  ASSERT_EQ(hwffd_deform(lattice.get(), corner, 1, moved), HWFFD_OK) << hwffd_error();
+  EXPECT_NEAR(moved[0], 1.25, 1e-12);
+  EXPECT_NEAR(moved[1], 0.5, 1e-12);
+  EXPECT_NEAR(moved[2], 2.75, 1e-12);
 }
 
 TEST(CApi, FailuresSayWhy) {

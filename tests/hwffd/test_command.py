@@ -345,7 +345,8 @@ class Command(CommandTest):
             self.assert_near([vertices(self.text("out.obj"))[0]], [wanted], places=6)
             self.good("lattice", "--family", family, *pull, "-o", "few.json")
             self.assertEqual(json.loads(self.text("few.json"))["dims"], [2, 2, 2])
-            self.assertIn("proved", self.good("check", "few.json", "--family", family))
+            self.assertIn("proved", self.good("check", "few.json"))
+            self.good("deform", "one.obj", "--lattice", "few.json", "-o", "out.obj")
 
     def test_groups_and_masks(self):
         whole = ("deform", "solid.obj", "--deform", "scale:2", "--device", "reference",
@@ -436,6 +437,31 @@ class Command(CommandTest):
         folded = self.call("check", "folded.json")
         self.assertEqual((folded.returncode, folded.stderr), (1, ""))
         self.assertIn("folded at", folded.stdout)
+
+    def test_lattice_files_keep_their_family_and_what_is_at_rest(self):
+        self.good("lattice", "--around", "solid.obj", "--family", "catmull-rom", "--dims", "6x6x6", "-o", "rest.json")
+        self.good("lattice", "--lattice", "rest.json", "--deform", "bend:60", "-o", "moved.json")
+        self.good("deform", "solid.obj", "--lattice", "rest.json", "--deform", "to:moved.json", "-o", "a.obj")
+        self.good("deform", "solid.obj", "--family", "catmull-rom", "--dims", "6x6x6", "--deform", "bend:60", "-o", "b.obj")
+        self.assertEqual(*(vertices(self.text(f"{n}.obj")) for n in "ab"))
+        info = json.loads(self.good("info", "moved.json", "--json", "-"))
+        self.assertEqual((info["family"], info["cells"]), ("catmull-rom", [3, 3, 3]))
+
+        rest, moved = (json.loads(self.text(name)) for name in ("rest.json", "moved.json"))
+        self.assertEqual({*rest, *moved}, {"hwffd_lattice", "order", "dims", "family", "points"})
+        (self.folder / "both.json").write_text(json.dumps({**moved, "rest": rest["points"]}))
+        self.good("lattice", "--lattice", "both.json", "--deform", "none", "-o", "again.json")
+        again = json.loads(self.text("again.json"))
+        self.assertEqual((again["rest"], again["points"], again["family"]), (rest["points"], moved["points"], "catmull-rom"))
+        self.good("deform", "solid.obj", "--lattice", "again.json", "-o", "a.obj")
+        self.assertEqual(*(vertices(self.text(f"{n}.obj")) for n in "ab"))
+
+    def test_a_check_is_of_the_family_that_a_file_names(self):
+        self.good("lattice", "--family", "bernstein", "--dims", "4x4x4", "--region", "0,0,0,1,1,1", "-o", "cell.json")
+        self.good("check", "cell.json", "--json", "check.json")
+        self.assertAlmostEqual(self.report("check.json")["lattices"][0]["volume"], 1.0)
+        self.good("check", "cell.json", "--family", "bspline", "--json", "check.json")
+        self.assertAlmostEqual(self.report("check.json")["lattices"][0]["volume"], 1 / 27)
 
     def test_embed(self):
         out = self.good("embed", "solid.obj", "--lattice", "sphere", "-o", "places.txt",

@@ -60,7 +60,7 @@ REFUSED = {
     "deform solid.obj -o out.ply --deform scale:0": (USAGE, "scale:0", "other than 0"),
     "deform solid.obj -o out.ply --deform move:9,0,0:1,1,1": (FAILURE, "9,0,0", "4 x 4 x 4"),
     "deform solid.obj -o out.ply --deform to:none.json": (FAILURE, "none.json"),
-    "deform solid.obj -o out.ply --lattice pyramid": (FAILURE, "pyramid"),
+    "deform solid.obj -o out.ply --lattice pyramid": (FAILURE, "pyramid", "no file", "sphere"),
     "deform solid.obj -o out.ply --lattice broken.json":
         (FAILURE, "broken.json", "line 1, column 35"),
     "deform solid.obj -o out.ply --lattice twice.json": (FAILURE, "twice.json", "'dims'", "twice"),
@@ -78,7 +78,9 @@ REFUSED = {
     "deform solid.obj -o out.ply --dims 4x4x65": (USAGE, "4 to 64"),
     "deform solid.obj -o out.ply --dims 3x4x4": (USAGE, "4 to 64"),
     "deform solid.obj -o out.ply --family linear --dims 1x4x4": (USAGE, "2 to 64"),
-    "deform solid.obj -o out.ply --lattice few.json": (FAILURE, "2 x 3 x 2", "4 to 64"),
+    "deform solid.obj -o out.ply --lattice few.json":
+        (FAILURE, "few.json", "2 x 3 x 2", "4 to 64", "bspline", "catmull-rom"),
+    "info few.json": (FAILURE, "few.json", "2 x 3 x 2"),
     "check few.json --family clamped": (FAILURE, "2 x 3 x 2", "4 to 64"),
     "deform solid.obj -o out.ply --lattice sphere --dims 4x4x4": (FAILURE, "4"),
     "deform solid.obj -o out.ply --region 0,0,0": (USAGE, "--region"),

@@ -49,7 +49,7 @@ const char* hwffd_error(void);
  */
 hwffd_lattice* hwffd_lattice_new(const int dims[3], const double* points);
 
-/** A lattice file (docs/lattice.md section 3). */
+/** A lattice file (docs/lattice.md section 3), with its family, and deformed where it says so. */
 hwffd_lattice* hwffd_lattice_read(const char* path);
 
 /**

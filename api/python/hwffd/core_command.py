@@ -31,7 +31,7 @@ def main() -> int:
     except ImportError as error:
         if error.name not in ("jinja2", "pyslang"):
             raise
-        print(f"{NAME}: {error.name} is not there, in {sys.executable}: pip install jinja2 'pyslang>=12,<13', or pip "
-              "install pyhwffd[core]", file=sys.stderr)
+        print(f"{NAME}: {error.name} is not there, in {sys.executable}: pip install jinja2 "
+              "'pyslang>=12,<13'", file=sys.stderr)
         return FAILURE
     return run(prog=NAME)

@@ -17,8 +17,11 @@ namespace {
 
 /// Rows of numbers, as many as a matrix or region has.
 Points read_matrix(const py::object& numbers, const char* name, py::ssize_t rows) {
-  const Read read = read_points(numbers, name);
-  if (read.shape == Shape{rows, 3}) return read.points();
+  const py::array array = py::array::ensure(numbers);
+  if (array && array.ndim() == 2 && array.shape(0) == rows && array.shape(1) == 3) {
+    return read_points(numbers, name).points();
+  }
+  PyErr_Clear();
   throw UsageError(std::string(name) + ": give an array of shape (" + std::to_string(rows) +
                    ", 3)");
 }
@@ -46,6 +49,9 @@ Fit read_fit(const py::object& axis, const py::object& rotation, const py::objec
 
 /// What the shape is to hold.
 Points read_held(const py::object& points, const py::object& region, Fit& fit) {
+  if (region.is_none() && points.is_none()) {
+    throw UsageError("points: give those that the shape is to hold, or a region");
+  }
   if (region.is_none()) return read_points(points, "points").points();
   if (!points.is_none()) throw UsageError("points: given beside a region; give one of the two");
   fit.room = 0.0;

@@ -52,19 +52,14 @@ Holder of_grid(const py::object& control_points, const std::string& family_name)
 
 Holder read(const std::filesystem::path& path, const std::optional<std::string>& family_name) {
   const Unlocked unlocked;
-  const LatticeFile file = read_lattice_file(path);
-  const Family family = family_name ? Family::parse(*family_name) : file.family.value_or(Family());
-  DeformableLattice lattice(whole(file.rest.value_or(file.lattice), family), family);
-  if (file.rest) lattice.move(whole(file.lattice, family).points());
-  return std::make_unique<PyLattice>(std::move(lattice));
+  std::optional<Family> family;
+  if (family_name) family = Family::parse(*family_name);
+  return std::make_unique<PyLattice>(DeformableLattice::read(path, family));
 }
 
 void write(const PyLattice& lattice, const std::filesystem::path& path, bool rest) {
   lattice.alone([&](const DeformableLattice& of) {
-    LatticeFile file{rest ? of.rest() : of.deformed(), std::nullopt, std::nullopt};
-    if (!rest && of.deformed().points() != of.rest().points()) file.rest = of.rest();
-    if (of.family().kind() != Family().kind()) file.family = of.family();
-    write_lattice(path, file);
+    write_lattice(path, {rest ? of.rest() : of.deformed(), of.rest(), of.family()});
   });
 }
 

@@ -7,7 +7,9 @@
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/bending.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "hwffd/lattice/few_points.hpp"
 #include "hwffd/lattice/inverse.hpp"
+#include "hwffd/lattice/lattice_file.hpp"
 #include "hwffd/on_threads.hpp"
 
 namespace hwffd {
@@ -36,6 +38,14 @@ DeformableLattice::DeformableLattice(Lattice rest, const Family& family)
       deformed_(embedder_.lattice()),
       outside_(Outside::parse("keep")),
       device_(make_device(choice_)) {}
+
+DeformableLattice DeformableLattice::read(const std::filesystem::path& path,
+                                          const std::optional<Family>& family) {
+  const LatticeFile file = read_lattice_file(path, family);
+  DeformableLattice lattice(whole(file.rest.value_or(file.lattice), *file.family), *file.family);
+  if (file.rest) lattice.move(whole(file.lattice, *file.family).points());
+  return lattice;
+}
 
 void DeformableLattice::move(const Points& points) { deformed_ = Lattice(rest().dims(), points); }
 

@@ -62,9 +62,11 @@ void check(const Points& points, const Points& targets, const FitOptions& option
   }
   if (options.loss != Loss::kSquares &&
       !(options.scale > 0.0 && options.scale <= kLargestCoordinate)) {
-    throw UsageError(fmt::format(
-        "fit: scale {}; a robust loss wants a distance above 0, beyond which points are outliers",
-        options.scale));
+    throw UsageError(
+        fmt::format("fit: scale {}; a robust loss wants --scale (scale=) above 0, the distance "
+                    "beyond which points "
+                    "are outliers",
+                    options.scale));
   }
   if (!options.weights.empty() &&
       options.weights.size() != static_cast<std::size_t>(points.rows())) {
@@ -103,7 +105,7 @@ Carried carried(const Attachment& attachment, const Points& targets, const FitOp
 /// The three edges of a cell of a lattice at rest, s, t and u in columns.
 /// @throws Error where they differ from cell to cell
 Eigen::Matrix3d even_edges(const Lattice& rest) {
-  const Eigen::Matrix3d edges = cell_edges(rest);
+  Eigen::Matrix3d edges = cell_edges(rest);
   const double largest = edges.cwiseAbs().maxCoeff();
   for (const Index3& at : places(rest.dims())) {
     const Point even = rest.point(0, 0, 0) + edges * Eigen::Vector3d(at[0], at[1], at[2]);

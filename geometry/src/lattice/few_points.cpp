@@ -1,8 +1,12 @@
 #include "hwffd/lattice/few_points.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <string>
 
 #include "axis_points.hpp"
+#include "hwffd/error.hpp"
 #include "same_dims.hpp"
 
 namespace hwffd {
@@ -39,13 +43,30 @@ AxisPoint extended(int n, int at) {
 
 bool is_bernstein(const Family& family) { return family.kind() == Family::Kind::kBernstein; }
 
+[[noreturn]] void throw_few(const Index3& dims, const Family& family) {
+  std::string takers;
+  for (const std::string& name : Family::names()) {
+    if (!Family::parse(name).takes_few()) continue;
+    takers += (takers.empty() ? "" : ", ") + name;
+  }
+  throw Error(fmt::format(
+      "lattice of {} x {} x {} points: each axis takes {} to {} points where the family "
+      "is {}, and from {} on where it is one of {}",
+      dims[0], dims[1], dims[2], Lattice::kMinPoints, Lattice::kMaxPoints, family.name(),
+      Lattice::kFewestPoints, takers));
+}
+
 }  // namespace
 
 Index3 whole_dims(const Index3& dims, const Family& family) {
+  if (family.takes_few()) {
+    Lattice::check_dims(dims, Lattice::kFewestPoints);
+  } else if (has_few(dims)) {
+    throw_few(dims, family);
+  }
   Index3 result = dims;
   for (int& n : result) {
-    const bool taken = family.takes_few() && n >= Lattice::kFewestPoints && is_few(n);
-    if (taken) n = is_bernstein(family) ? 4 : n + 2;
+    if (is_few(n)) n = is_bernstein(family) ? 4 : n + 2;
   }
   family.check_dims(result);
   return result;

@@ -12,6 +12,7 @@
 #include "hwffd/atomic_file.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/excerpt.hpp"
+#include "hwffd/lattice/few_points.hpp"
 #include "hwffd/lattice/shape.hpp"
 #include "read_file.hpp"
 
@@ -249,6 +250,18 @@ LatticeFile read_lattice_file(const std::filesystem::path& path) {
   }
 }
 
+LatticeFile read_lattice_file(const std::filesystem::path& path,
+                              const std::optional<Family>& wanted) {
+  LatticeFile file = read_lattice_file(path);
+  file.family = wanted ? *wanted : file.family.value_or(Family());
+  try {
+    whole_dims(file.lattice.dims(), *file.family);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", path.string(), error.what()));
+  }
+  return file;
+}
+
 Lattice read_lattice(const std::filesystem::path& path) { return read_lattice_file(path).lattice; }
 
 std::string lattice_text(const LatticeFile& file) {
@@ -256,8 +269,12 @@ std::string lattice_text(const LatticeFile& file) {
   std::string text =
       fmt::format("{{\n\"hwffd_lattice\": {},\n\"order\": \"{}\",\n\"dims\": [{}, {}, {}],\n",
                   kVersion, kOrder, dims[0], dims[1], dims[2]);
-  if (file.family) text += fmt::format("\"family\": \"{}\",\n", file.family->name());
-  if (file.rest) text += fmt::format("\"rest\": {},\n", points_text(*file.rest));
+  if (file.family && file.family->kind() != Family().kind()) {
+    text += fmt::format("\"family\": \"{}\",\n", file.family->name());
+  }
+  if (file.rest && file.rest->points() != file.lattice.points()) {
+    text += fmt::format("\"rest\": {},\n", points_text(*file.rest));
+  }
   return text + fmt::format("\"points\": {}\n}}\n", points_text(file.lattice));
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,12 @@ class DeformableLattice {
   /// @throws Error if the lattice spans no volume (Embedder), or has points an axis that the family
   ///   cannot have
   explicit DeformableLattice(Lattice rest, const Family& family = {});
+  /// That of a lattice file, deformed where the file gives the lattice at rest apart. One of few
+  /// points an axis is made whole().
+  /// @param family  in place of what the file names
+  /// @throws as read_lattice_file() and the constructor
+  static DeformableLattice read(const std::filesystem::path& path,
+                                const std::optional<Family>& family = {});
 
   const Lattice& rest() const { return embedder_.lattice(); }
   const Lattice& deformed() const { return deformed_; }

@@ -22,6 +22,10 @@ struct LatticeFile {
 /// @throws Error if the file cannot be read, or what parse_lattice_file throws, with the file's
 /// name
 LatticeFile read_lattice_file(const std::filesystem::path& path);
+/// With the family that evaluates it: the one wanted, else that of the file, else the usual one.
+/// @throws Error as above, and for points an axis that whole_dims() refuses that family
+LatticeFile read_lattice_file(const std::filesystem::path& path,
+                              const std::optional<Family>& wanted);
 /// Its lattice alone.
 Lattice read_lattice(const std::filesystem::path& path);
 
@@ -31,8 +35,8 @@ LatticeFile parse_lattice_file(const std::string& text);
 /// Its lattice alone.
 Lattice parse_lattice(const std::string& text);
 
-/// The file with `points`, in which every double comes back bit for bit; `rest` and `family` where
-/// there are some.
+/// The file with `points`, in which every double comes back bit for bit; `rest` where there is one
+/// with other points, `family` where there is one that is not the usual one.
 std::string lattice_text(const LatticeFile& file);
 std::string lattice_text(const Lattice& lattice);
 
