@@ -215,6 +215,35 @@ TEST(Device, AffineTakesFunctionsThatSumToOneOnly) {
   }
 }
 
+// Its evaluator ignores what is loaded, and would give the B-spline's positions without a word.
+TEST(Device, RowsWithTheBsplineWiredInTakeNoOtherFunctions) {
+  constexpr const char* kText = "has the B-spline wired in and takes no other blending functions";
+  const Lattice lattice =
+      Deformation::parse("random:3").apply(lattice_around("box", test::corners(), {7, 7, 7}));
+  const std::vector<Embedded> vertices{{{0, 0, 0}, {0.25, 0.5, 0.75}}};
+  const Points exact = make_device({"reference", "", ""})->evaluate(lattice, vertices);
+  const Points gradient = Points::Ones(1, 3);
+  const Grid grid = grid_between({0, 0, 0}, {1, 1, 1}, {2, 2, 2});
+  std::size_t rows = 0;
+  for (const std::string& name : device_rows("model")) {
+    if (!wired_in(find_configuration(name))) continue;
+    ++rows;
+    const std::unique_ptr<Device> device = make_device({"model", name, ""});
+    EXPECT_LT(largest(device->evaluate(lattice, vertices) - exact), 1e-2) << name;
+    EXPECT_NO_THROW(device->evaluate(lattice, vertices, Family::parse("clamped"))) << name;
+    for (const char* other : {"bernstein", "catmull-rom", "linear"}) {
+      const Family family = Family::parse(other);
+      EXPECT_ERROR_PART(device->evaluate(lattice, vertices, family), kText);
+      EXPECT_ERROR_PART(device->evaluate_grid(lattice, grid, family), kText);
+      EXPECT_ERROR_PART(device->tangents(lattice, vertices, family), kText);
+    }
+  }
+  EXPECT_GT(rows, 0u);
+  const std::unique_ptr<Device> adds = make_device({"model", "affine-fx17-overlapped-powers", ""});
+  EXPECT_ERROR_PART(adds->pull_back(lattice.dims(), vertices, gradient, Family::parse("linear")),
+                    kText);
+}
+
 TEST(Device, VerticesWithTheSupportsOfALatticeGetItsBits) {
   const Oracle::Coefficients bspline = Oracle::uniform_bspline();
   Scene scene;

@@ -23,10 +23,22 @@ bool all_sum_to_one(const Device::Blending& blending) {
   return std::all_of(blending.begin(), blending.end(), Oracle::sum_to_one);
 }
 
+bool all_bspline(const Device::Blending& blending) {
+  return std::all_of(blending.begin(), blending.end(), [](const Oracle::Coefficients& axis) {
+    return axis == Oracle::uniform_bspline();
+  });
+}
+
 }  // namespace
 
 std::array<AxisWords, 3> function_words(const Device::Blending& blending, const WordCodec& codec,
                                         const Configuration& row, const std::string& device) {
+  if (wired_in(row) && !all_bspline(blending)) {
+    throw Error(
+        fmt::format("{}: has the B-spline wired in and takes no other blending functions: take a "
+                    "row without powers, or family bspline or clamped",
+                    device));
+  }
   if (completes(organization_of(row).form) && !all_sum_to_one(blending)) {
     throw Error(
         fmt::format("{}: takes blending functions that sum to one only; these do not: "
