@@ -56,6 +56,20 @@ def test_files_come_back(suffix, kind, tmp_path):
     assert image.GetSize() == volume.counts
 
 
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_directions_that_are_not_at_right_angles(suffix, tmp_path):
+    volume = volumes.Volume(np.zeros((3, 4, 5)), direction=[[1, 0.6, 0], [0, 0.8, 0], [0, 0, 1]])
+    path = tmp_path / f"volume{suffix}"
+    if ".nii" not in suffix:
+        volumes.write(path, volume)
+        np.testing.assert_allclose(volumes.read(path).direction, volume.direction, rtol=0, atol=1e-12)
+        return
+    path.write_bytes(b"kept")
+    with pytest.raises(hwffd.Error, match="right angles, .* write nrrd or mha"):
+        volumes.write(path, volume)
+    assert files(tmp_path) == {path.name: b"kept"}
+
+
 def test_the_field_moves_points_in_itk(tmp_path):
     volume = phantom()
     lattice, transform = deformed(volume)

@@ -292,9 +292,9 @@ def test_words_of_the_command_are_bytes(tmp_path):
 
 
 KEYS = ["Segment0_Name:=liver", "modality:=CT", r"text:=two\nlines and a \\ more", "empty:=",
-        'space units: "mm" "mm" "mm"', "content: a head", "old min: -1024"]
+        r"folder:=C:\\new\\n", 'space units: "mm" "mm" "mm"', "content: a head", "old min: -1024"]
 HELD = {"Segment0_Name": "liver", "modality": "CT", "text": "two\nlines and a \\ more", "empty": "",
-        "NRRD_space units": '"mm" "mm" "mm"', "NRRD_content": "a head", "NRRD_old min": "-1024"}
+        "folder": r"C:\new\n", "NRRD_space units": '"mm" "mm" "mm"', "NRRD_content": "a head", "NRRD_old min": "-1024"}
 
 
 def lost(folder, source, target):
@@ -322,7 +322,8 @@ def test_keys_of_nrrd(name, tmp_path):
         assert lost(tmp_path, name, target) == ([], held)
     for target in "b.mha", "b.mhd":  # whose fields are a word and what is in a line
         names, after = lost(tmp_path, name, target)
-        assert after == {"Segment0_Name": "liver", "modality": "CT", "NRRD_content": "a head"}
+        assert after == {"Segment0_Name": "liver", "modality": "CT", "folder": r"C:\new\n",
+                         "NRRD_content": "a head"}
         assert sorted(names) == sorted(held.keys() - after.keys())
         assert lost(tmp_path, target, f"{target}.nrrd") == ([], after)
     for target in "b.nii", "b.nii.gz":
@@ -379,6 +380,13 @@ def test_extensions_and_slices_of_nifti_are_said_to_be_lost(tmp_path):
     (tmp_path / "c.nii").write_bytes(data)
     np.testing.assert_array_equal(volumes.read(tmp_path / "c.nii").values, VALUES)
     assert lost(tmp_path, "c.nii", "d.nii") == (["slice_code", "extension"], {})
+
+
+def test_values_that_a_line_of_nrrd_cannot_have_are_lost(tmp_path):
+    for key in "text", "NRRD_content":
+        with pytest.warns(UserWarning, match=rf"a\.nrrd: dropped: {key}"):
+            volumes.write(tmp_path / "a.nrrd", volumes.Volume(VALUES, metadata={key: "one\rtwo"}))
+        np.testing.assert_array_equal(volumes.read(tmp_path / "a.nrrd").values, VALUES)
 
 
 def test_the_library_warns_of_what_is_lost(tmp_path):

@@ -138,6 +138,8 @@ def write_all(volumes: Mapping[os.PathLike[str] | str, Volume],
         for path, volume in volumes.items():
             check_writable(path)
             place = pathlib.Path(path).resolve()
+            if _FORMATS[_suffix_of(place.name)] is nifti:
+                nifti.check_directions(path, volume.direction)
             folder = pathlib.Path(tempfile.mkdtemp(prefix=f".{place.name}.", dir=place.parent))
             folders.append((folder, place))
             _write_to(folder, place.name, volume)

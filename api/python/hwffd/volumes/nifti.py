@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import gzip
 import math
+import os
 import pathlib
 import shutil
 import struct
@@ -35,6 +36,7 @@ _CARRIED = ("descrip", "aux_file", "db_name", "intent_name", "intent_code", "int
 _OF_SLICES = ("slice_code", "slice_start", "slice_end", "slice_duration", "dim_info")
 _WRITTEN = {"qform_code": "1", "sform_code": "1"}  # whatever else is said
 _FLOATS = {16: "f4", 64: "f8"}
+_OBLIQUE = 1e-3  # cosine between two directions from which on ITK writes others
 
 
 def _header(path: pathlib.Path):
@@ -89,6 +91,13 @@ def read(path: pathlib.Path) -> Header:
         packed = "gzip" if path.name.lower().endswith(".gz") else ""
         voxels = Voxels([path], 0, int(record["vox_offset"]) + size, packed)
     return Header(fields, voxels)
+
+
+def check_directions(path: os.PathLike[str] | str, direction: NDArray[np.float64]) -> None:
+    """Refuses directions in whose place ITK writes others, which are at right angles."""
+    if np.abs(direction.T @ direction - np.eye(3)).max() > _OBLIQUE:
+        raise Error(f"{path}: NIfTI has directions at right angles, of length 1, and these are others; "
+                    "write nrrd or mha")
 
 
 def mend(path: pathlib.Path, values: NDArray[np.generic]) -> None:

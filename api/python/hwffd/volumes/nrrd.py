@@ -100,7 +100,7 @@ def read(path: pathlib.Path) -> Header:
             continue
         elif ":=" in line:
             key, value = line.split(":=", 1)
-            fields[key] = value.replace("\\n", "\n").replace("\\\\", "\\")
+            fields[key] = re.sub(r"\\(n|\\)", lambda pair: "\n" if pair[1] == "n" else "\\", value)
         elif ": " in line:
             name, value = line.split(": ", 1)
             tags[_SPELLINGS.get(name.lower(), name.lower())] = value.strip()
@@ -121,9 +121,9 @@ def carry(path: pathlib.Path, fields: dict[str, str]) -> None:
     for key, value in fields.items():
         name = key.removeprefix(PREFIX)
         if name != key:
-            if name in _CARRIED and "\n" not in value:
+            if name in _CARRIED and not re.search(r"[\r\n]", value):
                 lines.append(f"{name}: {value}")
-        elif not re.search(r":=|[\r\n]|^#", key):
+        elif not re.search(r":=|[\r\n]|^#", key) and "\r" not in value:
             escaped = value.replace("\\", "\\\\").replace("\n", "\\n")
             lines.append(f"{key}:={escaped}")
     data = path.read_bytes()
