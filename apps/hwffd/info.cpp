@@ -48,7 +48,7 @@ Json build_info() {
 Json lattice_info(const std::string& file) {
   const LatticeFile read = read_lattice_file(file, std::nullopt);
   const Lattice& lattice = read.lattice;
-  const Closure closure(lattice);
+  const Closure closure(lattice, *read.family);
   Json closed = Json::array();
   for (int axis = 0; axis < 3; ++axis) {
     if (closure.closed(axis)) closed.push_back(std::string(1, "stu"[axis]));

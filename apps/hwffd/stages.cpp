@@ -186,7 +186,8 @@ Lattice deformed_lattice(const StageText& text, const Lattice& rest) {
     deformations.push_back(Deformation::parse(word));
   }
   // A file may hold a lattice at rest and deformed already.
-  return deform_lattice(is_shape(text.lattice) ? rest : read_stage(text).lattice, deformations);
+  return deform_lattice(is_shape(text.lattice) ? rest : read_stage(text).lattice, deformations,
+                        family_of(text));
 }
 
 LatticeFile file_of(const StageText& text, Lattice deformed, const Lattice& rest) {

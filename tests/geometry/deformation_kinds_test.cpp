@@ -1,11 +1,15 @@
 // Deformations of every kind on lattices of every shape.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "errors.hpp"
+#include "hwffd/lattice/around.hpp"
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/closure.hpp"
 #include "hwffd/lattice/cylinder.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "hwffd/lattice/few_points.hpp"
 #include "hwffd/lattice/fold.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
 #include "hwffd/lattice/sphere.hpp"
@@ -208,6 +212,105 @@ TEST(DeformationKinds, ToTakesTheFileAsItIs) {
     expect_joints(shape.lattice, moved, shape.name);
   }
 }
+
+// Each family makes the faces of its cells of other points, and joints are where faces meet.
+class DeformationKindsOf : public testing::TestWithParam<std::string> {
+ protected:
+  const Family family = Family::parse(GetParam());
+
+  Lattice around(const char* shape, const Index3& dims) const {
+    const Points corners = corners_of(Point(-1, -2, -1), Point(1, 2, 1));
+    return whole(lattice_around(shape, corners, std::optional<Index3>(dims), family), family);
+  }
+
+  Lattice moved(const std::string& text, const Lattice& lattice) const {
+    return Deformation::parse(text).apply(lattice, family);
+  }
+
+  /// The point at coordinates from 0 to 1 over all cells.
+  Point at(const Lattice& lattice, double s, double t, double u) const {
+    const Eigen::Vector3d place(s, t, u);
+    Index3 cell{};
+    Eigen::Vector3d local;
+    for (int a = 0; a < 3; ++a) {
+      const int count = family.cells(lattice.dims())[static_cast<std::size_t>(a)];
+      const int of_axis = std::min(static_cast<int>(place[a] * count), count - 1);
+      cell[static_cast<std::size_t>(a)] = of_axis;
+      local[a] = place[a] * count - of_axis;
+    }
+    return Oracle().evaluate(family.support(lattice, cell), local[0], local[1], local[2]);
+  }
+};
+
+TEST_P(DeformationKindsOf, JointsStay) {
+  constexpr double kJoined = 1e-12;
+  for (const char* shape : {"cylinder", "sphere"}) {
+    const Lattice rest = around(shape, {7, 7, 13});
+    for (const std::string text : {"random:2", "move:2,3,0:0.1,0.2,0", "move:2,3,12:0.1,0.2,0",
+                                   "move:1,2,2:0.1,0.2,0", "twist:90", "bend:60", "helix:50"}) {
+      const Lattice now = moved(text, rest);
+      EXPECT_GT((now.points() - rest.points()).norm(), 0.01);
+      for (const double v : {0.0, 0.3, 1.0}) {
+        EXPECT_LT((at(now, v, 0.4, 0) - at(now, v, 0.4, 1)).norm(), kJoined) << shape << text << v;
+        EXPECT_LT((at(now, 0, v, 0.1) - at(now, 0, v, 0.6)).norm(), kJoined) << shape << text << v;
+      }
+      const Closure before(rest, family);
+      const Closure after(now, family);
+      EXPECT_TRUE(before.closed(2));
+      EXPECT_TRUE(after.closed(2)) << shape << text;
+      EXPECT_EQ(after.collapsed().size(), before.collapsed().size()) << shape << text;
+    }
+  }
+}
+
+TEST_P(DeformationKindsOf, AxesOfCylindersStayWhereTheyAre) {
+  const Lattice rest = around("cylinder", {4, 7, 13});
+  for (const std::string text : {"twist:90", "helix:90", "taper:0.5"}) {
+    const Lattice now = moved(text, rest);
+    for (const double t : {0.0, 0.4, 1.0}) {
+      EXPECT_LT((at(now, 0, t, 0.2) - at(rest, 0, t, 0.2)).norm(), 1e-12) << text << t;
+    }
+  }
+}
+
+TEST_P(DeformationKindsOf, HelixTurnsWhatTheCellsHold) {
+  std::vector<Index3> all{{4, 4, 4}, {4, 7, 4}, {4, 13, 4}};
+  if (family.takes_few()) all.insert(all.end(), {{2, 4, 3}, {2, 2, 2}, {3, 7, 2}});
+  for (const Index3& dims : all) {
+    const Points corners = corners_of(Point(-1, -2, -1), Point(1, 2, 1));
+    const Lattice few = lattice_around("box", corners, std::optional<Index3>(dims), family);
+    const Lattice now = whole(moved("helix:90", few), family);
+    const Point bottom = at(now, 1, 0, 0.5);
+    const Point top = at(now, 1, 1, 0.5);
+    EXPECT_NEAR(bottom.z(), 0, kTiny) << dims[1];
+    EXPECT_NEAR(top.x(), 0, kTiny) << dims[1];
+    EXPECT_NEAR(top.z(), -bottom.x(), kTiny) << dims[1];
+    EXPECT_GT(bottom.x(), 0.5) << dims[1];
+  }
+}
+
+TEST_P(DeformationKindsOf, ToTakesPointsOfTheSameFamily) {
+  const TempFolder folder;
+  const Lattice rest = around("box", {4, 7, 4});
+  const std::string file = (folder / "target.json").string();
+  for (const std::string& name : Family::names()) {
+    write_lattice(file, LatticeFile{moved("bend:40", rest), {}, Family::parse(name)});
+    // A file of B-splines does not say so.
+    if (name == GetParam() || name == "bspline") {
+      EXPECT_EQ(moved("to:" + file, rest).points(), moved("bend:40", rest).points());
+      continue;
+    }
+    EXPECT_ERROR(moved("to:" + file, rest), "deformation to:" + file +
+                                                ": its points are of the family " + name +
+                                                ", and the lattice that moves there is of " +
+                                                GetParam() + "; give both the same family");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, DeformationKindsOf, testing::ValuesIn(Family::names()),
+                         [](const auto& info) {
+                           return info.param.substr(0, info.param.find('-'));
+                         });
 
 TEST(DeformationKinds, RefusesWhatDoesNotFit) {
   const TempFolder folder;

@@ -50,7 +50,7 @@ DeformableLattice DeformableLattice::read(const std::filesystem::path& path,
 void DeformableLattice::move(const Points& points) { deformed_ = Lattice(rest().dims(), points); }
 
 void DeformableLattice::deform(const std::string& deformation) {
-  deformed_ = Deformation::parse(deformation).apply(deformed_);
+  deformed_ = Deformation::parse(deformation).apply(deformed_, family());
 }
 
 void DeformableLattice::set_family(const Family& family) { embedder_ = Embedder(rest(), family); }

@@ -30,28 +30,57 @@ class Layers {
   std::array<Eigen::Index, 3> step_;
 };
 
-/// The three layers that make the face at one end of an axis: their step in rows from the layer
-/// beyond the face inwards, and the first row of the layer beyond.
-struct Face {
-  Face(const Layers& layers, int axis, int end)
-      : step(end == 0 ? layers.step(axis) : -layers.step(axis)),
-        first(end == 0 ? 0 : layers.step(axis) * (layers.size(axis) - 1)) {}
+/// What a family makes a face of: the weights of the three outermost layers, in parts of their sum,
+/// and the outermost one that has any. The functions of all families are symmetric.
+struct FaceWeights {
+  explicit FaceWeights(const Family& family) {
+    if (family.kind() == Family::Kind::kBspline) {
+      of = {1, 4, 1};
+      sum = 6;
+    } else if (family.regular()) {
+      of = {0, 1, 0};
+      moves = 1;
+    }
+  }
 
-  /// The point of the face that a column of three control points makes: B(0) of the B-spline.
+  std::array<double, 3> of{1, 0, 0};
+  double sum = 1;
+  int moves = 0;
+};
+
+/// The three layers that make the face at one end of an axis: their step in rows from the outermost
+/// layer inwards, and the first row of the outermost layer.
+struct Face {
+  Face(const Layers& layers, int axis, int end, const FaceWeights& of)
+      : step(end == 0 ? layers.step(axis) : -layers.step(axis)),
+        first(end == 0 ? 0 : layers.step(axis) * (layers.size(axis) - 1)),
+        weights(of) {}
+
+  /// The point of the face that a column of three control points makes.
   Eigen::RowVector3d knot(const Points& points, Eigen::Index row) const {
     const Eigen::Index outer = row + first;
-    return (points.row(outer) + 4 * points.row(outer + step) + points.row(outer + 2 * step)) / 6;
+    return (weights.of[0] * points.row(outer) + weights.of[1] * points.row(outer + step) +
+            weights.of[2] * points.row(outer + 2 * step)) /
+           weights.sum;
+  }
+
+  /// Moves that point, by the layer that moves.
+  void move(Points& points, Eigen::Index row, const Eigen::RowVector3d& by) const {
+    const auto layer = static_cast<std::size_t>(weights.moves);
+    points.row(row + first + weights.moves * step) += weights.sum / weights.of[layer] * by;
   }
 
   Eigen::Index step;
   Eigen::Index first;
+  FaceWeights weights;
 };
 
-bool is_closed(const Layers& layers, const Points& points, int axis, double tolerance) {
-  const Eigen::Index period = layers.step(axis) * (layers.size(axis) - 3);
+bool is_closed(const Layers& layers, const Points& points, int axis, int repeated,
+               double tolerance) {
+  const Eigen::Index period = layers.step(axis) * (layers.size(axis) - repeated);
   bool same = true;
   layers.each(axis, [&](Eigen::Index row) {
-    for (int layer = 0; layer < 3; ++layer, row += layers.step(axis)) {
+    for (int layer = 0; layer < repeated; ++layer, row += layers.step(axis)) {
       same = same && (points.row(row) - points.row(row + period)).norm() <= tolerance;
     }
   });
@@ -59,8 +88,8 @@ bool is_closed(const Layers& layers, const Points& points, int axis, double tole
 }
 
 bool is_collapsed(const Layers& layers, const Points& points, const Closure::Collapsed& face,
-                  double tolerance) {
-  const Face layer(layers, face.axis, face.end);
+                  const FaceWeights& weights, double tolerance) {
+  const Face layer(layers, face.axis, face.end, weights);
   bool same = true;
   layers.each(face.axis, [&](Eigen::Index row) {
     const Eigen::Index start =
@@ -70,10 +99,12 @@ bool is_collapsed(const Layers& layers, const Points& points, const Closure::Col
   return same;
 }
 
-void collapse(const Layers& layers, Points& points, const Closure::Collapsed& face, bool closed) {
-  const Face layer(layers, face.axis, face.end);
+/// @param repeated  layers along the axis in the face that are those at its beginning
+void collapse(const Layers& layers, Points& points, const Closure::Collapsed& face,
+              const FaceWeights& weights, int repeated) {
+  const Face layer(layers, face.axis, face.end, weights);
   const int size = layers.size(face.along);
-  const int distinct = closed ? size - 3 : size;
+  const int distinct = size - repeated;
   const Eigen::Index step = layers.step(face.along);
   layers.each(face.axis, [&](Eigen::Index row) {
     if (row / step % size != 0) return;
@@ -81,25 +112,28 @@ void collapse(const Layers& layers, Points& points, const Closure::Collapsed& fa
     for (int n = 0; n < distinct; ++n) mean += layer.knot(points, row + n * step) / distinct;
     for (int n = 0; n < size; ++n) {
       const Eigen::Index at = row + n * step;
-      points.row(at + layer.first) += 6 * (mean - layer.knot(points, at));
+      layer.move(points, at, mean - layer.knot(points, at));
     }
   });
 }
 
 }  // namespace
 
-Closure::Closure(const Lattice& lattice) : dims_(lattice.dims()) {
+Closure::Closure(const Lattice& lattice, const Family& family)
+    : dims_(lattice.dims()), family_(family) {
   const Points& points = lattice.points();
   const double tolerance =
       kSame * (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
   const Layers layers(dims_);
+  const FaceWeights weights(family);
   for (int axis = 0; axis < 3; ++axis) {
     if (layers.size(axis) < Lattice::kMinPoints) continue;  // it has no cells to join
-    closed_[static_cast<std::size_t>(axis)] = is_closed(layers, points, axis, tolerance);
+    closed_[static_cast<std::size_t>(axis)] =
+        is_closed(layers, points, axis, repeated(), tolerance);
     for (int end = 0; end < 2; ++end) {
       for (int other = 1; other < 3; ++other) {
         const Collapsed face{axis, end, (axis + other) % 3};
-        if (is_collapsed(layers, points, face, tolerance)) collapsed_.push_back(face);
+        if (is_collapsed(layers, points, face, weights, tolerance)) collapsed_.push_back(face);
       }
     }
   }
@@ -111,14 +145,17 @@ Lattice Closure::restore(const Lattice& moved) const {
   const Layers layers(dims_);
   for (int axis = 0; axis < 3; ++axis) {
     if (!closed(axis)) continue;
-    const Eigen::Index period = layers.step(axis) * (layers.size(axis) - 3);
+    const Eigen::Index period = layers.step(axis) * (layers.size(axis) - repeated());
     layers.each(axis, [&](Eigen::Index row) {
-      for (int layer = 0; layer < 3; ++layer, row += layers.step(axis)) {
+      for (int layer = 0; layer < repeated(); ++layer, row += layers.step(axis)) {
         points.row(row + period) = points.row(row);
       }
     });
   }
-  for (const Collapsed& face : collapsed_) collapse(layers, points, face, closed(face.along));
+  const FaceWeights weights(family_);
+  for (const Collapsed& face : collapsed_) {
+    collapse(layers, points, face, weights, closed(face.along) ? repeated() : 0);
+  }
   return Lattice(dims_, std::move(points));
 }
 

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "hwffd/error.hpp"
+#include "hwffd/lattice/few_points.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
 #include "hwffd/oracle/oracle.hpp"
 #include "movements.hpp"
@@ -15,11 +17,17 @@
 namespace hwffd {
 namespace {
 
-Lattice lattice_from(const std::string& file, const Index3& dims) {
-  Lattice lattice = read_lattice(file);
-  check_same_dims(fmt::format("deformation to:{}: that lattice", file).c_str(), lattice.dims(),
+Lattice lattice_from(const std::string& name, const Index3& dims, const Family& family) {
+  LatticeFile file = read_lattice_file(name);
+  check_same_dims(fmt::format("deformation to:{}: that lattice", name).c_str(), file.lattice.dims(),
                   dims);
-  return lattice;
+  if (file.family && file.family->kind() != family.kind()) {
+    throw Error(
+        fmt::format("deformation to:{}: its points are of the family {}, and the lattice that "
+                    "moves there is of {}; give both the same family",
+                    name, file.family->name(), family.name()));
+  }
+  return std::move(file.lattice);
 }
 
 /// The point that move names; of points repeated along a closed axis the first.
@@ -34,23 +42,19 @@ Index3 first_place(Index3 place, const Lattice& lattice, const Closure& closure)
     }
   }
   for (std::size_t a = 0; a < 3; ++a) {
-    if (closure.closed(static_cast<int>(a))) place[a] %= d[a] - 3;
+    if (closure.closed(static_cast<int>(a))) place[a] %= d[a] - closure.repeated();
   }
   return place;
 }
 
 /// The lowest and the highest corner of a cell along an axis: what a shape holds is between them.
-/// Of a lattice of few points (few_points.hpp) those of its points.
-std::array<double, 2> reach_of_cells(const Lattice& lattice, int axis) {
-  if (places(lattice.cells()).empty()) {
-    const auto along = lattice.points().col(axis);
-    return {along.minCoeff(), along.maxCoeff()};
-  }
+std::array<double, 2> reach_of_cells(const Lattice& points, const Family& family, int axis) {
+  const Lattice lattice = whole(points, family);
   const Oracle oracle;
   std::array<double, 2> reach{std::numeric_limits<double>::infinity(),
                               -std::numeric_limits<double>::infinity()};
-  for (const Index3& cell : places(lattice.cells())) {
-    const Support support = lattice.support(cell);
+  for (const Index3& cell : places(family.cells(lattice.dims()))) {
+    const Support support = family.support(lattice, cell);
     for (int corner = 0; corner < 8; ++corner) {
       const double height =
           oracle.evaluate(support, corner >> 2 & 1, corner >> 1 & 1, corner & 1)[axis];
@@ -58,6 +62,15 @@ std::array<double, 2> reach_of_cells(const Lattice& lattice, int axis) {
     }
   }
   return reach;
+}
+
+/// The points whose bounding box has the corners of a lattice that is joined to itself. Those of
+/// clamped knots lie unevenly around an axis that is closed, those of the same B-spline do not.
+std::optional<Points> joined_points(const Lattice& lattice, const Family& family,
+                                    const Closure& closure) {
+  if (!closure.joined()) return std::nullopt;
+  if (family.kind() != Family::Kind::kClamped) return lattice.points();
+  return family.evaluable(lattice).lattice.points();
 }
 
 }  // namespace
@@ -69,15 +82,16 @@ Deformation Deformation::move(const Index3& place, const Eigen::Vector3d& by) {
   return {Kind::kMove, std::move(arguments)};
 }
 
-Points Deformation::moved(const Lattice& lattice, const Closure& closure) const {
-  const Frame frame(lattice, closure.joined(), arguments_.axis);
+Points Deformation::moved(const Lattice& lattice, const Family& family,
+                          const Closure& closure) const {
+  const Frame frame(lattice, joined_points(lattice, family, closure), arguments_.axis);
   Points points = lattice.points();
   switch (kind_) {
     case Kind::kTwist:
       twist(points, frame, arguments_.amount);
       break;
     case Kind::kHelix:
-      helix(points, frame, arguments_.amount, reach_of_cells(lattice, arguments_.axis));
+      helix(points, frame, arguments_.amount, reach_of_cells(lattice, family, arguments_.axis));
       break;
     case Kind::kShear:
       shear(points, frame, arguments_.amount);
@@ -105,16 +119,17 @@ Points Deformation::moved(const Lattice& lattice, const Closure& closure) const 
   return points;
 }
 
-Lattice Deformation::apply(const Lattice& lattice) const {
+Lattice Deformation::apply(const Lattice& lattice, const Family& family) const {
   if (kind_ == Kind::kNone) return lattice;
-  if (kind_ == Kind::kTo) return lattice_from(arguments_.file, lattice.dims());
-  const Closure closure(lattice);
-  return closure.restore(Lattice(lattice.dims(), moved(lattice, closure)));
+  if (kind_ == Kind::kTo) return lattice_from(arguments_.file, lattice.dims(), family);
+  const Closure closure(lattice, family);
+  return closure.restore(Lattice(lattice.dims(), moved(lattice, family, closure)));
 }
 
-Lattice deform_lattice(const Lattice& lattice, const std::vector<Deformation>& deformations) {
+Lattice deform_lattice(const Lattice& lattice, const std::vector<Deformation>& deformations,
+                       const Family& family) {
   Lattice result = lattice;
-  for (const Deformation& deformation : deformations) result = deformation.apply(result);
+  for (const Deformation& deformation : deformations) result = deformation.apply(result, family);
   return result;
 }
 

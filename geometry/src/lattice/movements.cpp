@@ -42,14 +42,15 @@ Eigen::Matrix3d turn_about(int axis, double degrees) {
 
 }  // namespace
 
-Frame::Frame(const Lattice& lattice, bool joined, int up) : dims_(lattice.dims()), up_(up) {
+Frame::Frame(const Lattice& lattice, const std::optional<Points>& joined, int up)
+    : dims_(lattice.dims()), up_(up) {
   if (!joined) {
     corners_ = corners_of(lattice);
     fractions_ = fractions_by_index(dims_);
     return;
   }
-  const Eigen::RowVector3d low = lattice.points().colwise().minCoeff();
-  const Eigen::RowVector3d extent = lattice.points().colwise().maxCoeff() - low;
+  const Eigen::RowVector3d low = joined->colwise().minCoeff();
+  const Eigen::RowVector3d extent = joined->colwise().maxCoeff() - low;
   for (int c = 0; c < 8; ++c) {
     const Eigen::RowVector3d end(at_end(c, 0), at_end(c, 1), at_end(c, 2));
     corners_.row(c) = low + end.cwiseProduct(extent);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "hwffd/lattice/lattice.hpp"
 
@@ -17,8 +18,9 @@ class Frame {
   /// a*4 + b*2 + c.
   using Corners = Eigen::Matrix<double, 8, 3, Eigen::RowMajor>;
 
+  /// @param joined  of a lattice joined to itself the points whose bounding box has the corners
   /// @param up  the axis that heights are along: 0, 1, 2 for x and s, y and t, z and u
-  Frame(const Lattice& lattice, bool joined, int up);
+  Frame(const Lattice& lattice, const std::optional<Points>& joined, int up);
 
   int up() const { return up_; }
 

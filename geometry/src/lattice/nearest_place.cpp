@@ -55,7 +55,7 @@ NearestPlace::NearestPlace(const Lattice& lattice, const Family& family)
   family.check_dims(lattice.dims());
   if (box_ && !has_right_angles(*box_)) box_.reset();
   if (box_) return;
-  const Closure closure(lattice);
+  const Closure closure(lattice, family);
   const Index3 count = family.cells(lattice.dims());
   Point low = Point::Constant(std::numeric_limits<double>::infinity());
   Point high = -low;

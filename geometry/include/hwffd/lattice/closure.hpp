@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "hwffd/lattice/family.hpp"
 #include "hwffd/lattice/lattice.hpp"
 
 namespace hwffd {
@@ -10,7 +11,8 @@ namespace hwffd {
 /// Where a lattice is joined to itself: found in its points, so that any lattice file may have it.
 ///
 /// - An axis is *closed* if its last three layers of points repeat its first three: its last cell
-///   then meets its first with C2 continuity.
+///   then meets its first with C2 continuity. Of the families that are not regular() the last layer
+///   repeats the first, and the cells meet with C0.
 /// - A face of the outer cells is *collapsed* along an axis in it if moving along that axis
 ///   does not move the point: the axis of a cylinder along u, the centre of a sphere along t and u.
 ///
@@ -24,25 +26,28 @@ class Closure {
     int along = 0;  ///< and does not depend on the coordinate along this one
   };
 
-  /// Joints of a lattice, to within 1e-12 of its size.
-  explicit Closure(const Lattice& lattice);
+  /// Joints of a lattice whose cells are of a family, to within 1e-12 of its size.
+  explicit Closure(const Lattice& lattice, const Family& family = {});
 
   /// Whether the axis is closed.
   bool closed(int axis) const { return closed_[static_cast<std::size_t>(axis)]; }
   /// Whether there is any joint.
   bool joined() const { return closed_ != std::array<bool, 3>{} || !collapsed_.empty(); }
   const std::vector<Collapsed>& collapsed() const { return collapsed_; }
+  /// How many layers at the beginning of a closed axis are repeated at its end.
+  int repeated() const { return family_.regular() ? 3 : 1; }
 
-  /// A moved lattice with its joints closed again. The first three layers of a closed axis go to
-  /// the last three. On a collapsed face the layer of points beyond the face moves so that the face
-  /// lies at its mean along the collapsed axis; the other layers stay. Without joints the
-  /// lattice comes back bit for bit.
+  /// A moved lattice with its joints closed again. The layers of a closed axis go to those that
+  /// repeat them. On a collapsed face the outermost layer of points that the face is made of moves,
+  /// that beyond it in a B-spline, so that the face lies at its mean along the collapsed axis; the
+  /// other layers stay. Without joints the lattice comes back bit for bit.
   /// @param moved  of the same dimensions
   /// @throws Error if the dimensions differ
   Lattice restore(const Lattice& moved) const;
 
  private:
   Index3 dims_;
+  Family family_;
   std::array<bool, 3> closed_{};
   std::vector<Collapsed> collapsed_;
 };

@@ -75,14 +75,15 @@ class Deformation {
   const Arguments& arguments() const { return arguments_; }
 
   /// The lattice with its points moved; same dimensions.
-  /// @throws Error if the lattice has no point that move names, if to's file cannot be read or has
-  ///   other dimensions, or if a point would not be finite
-  Lattice apply(const Lattice& lattice) const;
+  /// @param family  of its cells, which say what helix turns by its angle and where joints are
+  /// @throws Error if the lattice has no point that move names, if to's file cannot be read, has
+  ///   other dimensions or names another family, or if a point would not be finite
+  Lattice apply(const Lattice& lattice, const Family& family = {}) const;
 
  private:
   Deformation(Kind kind, Arguments arguments) : kind_(kind), arguments_(std::move(arguments)) {}
 
-  Points moved(const Lattice& lattice, const Closure& closure) const;
+  Points moved(const Lattice& lattice, const Family& family, const Closure& closure) const;
 
   Kind kind_;
   Arguments arguments_;
@@ -90,6 +91,7 @@ class Deformation {
 
 /// One deformation after the other, in this order.
 /// @throws Error as Deformation::apply
-Lattice deform_lattice(const Lattice& lattice, const std::vector<Deformation>& deformations);
+Lattice deform_lattice(const Lattice& lattice, const std::vector<Deformation>& deformations,
+                       const Family& family = {});
 
 }  // namespace hwffd
