@@ -32,7 +32,7 @@ struct CheckOptions {
 };
 
 int run(const CheckOptions& options) {
-  check_outputs({{"--json", options.report}});
+  check_outputs({{"--json", options.report}}, options.files);
   const std::optional<Family> named = family_named(options.family);
   Json lattices = Json::array();
   std::string text;

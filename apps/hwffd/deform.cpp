@@ -136,6 +136,16 @@ std::vector<std::string> outputs_of(const DeformOptions& options) {
   return names;
 }
 
+/// A mesh may be written over itself, but over nothing else that is read.
+void check_inputs_stay(const DeformOptions& options, const std::vector<std::string>& outputs,
+                       const std::vector<StageText>& stages) {
+  std::vector<std::string> inputs = files_of(stages);
+  inputs.push_back(options.mask);
+  for (const std::string& output : outputs) check_not_read({"--output", output}, inputs);
+  inputs.push_back(options.input);
+  check_not_read({"--json", options.report}, inputs);
+}
+
 /// Points spread over all.
 Points some_of(const Points& points) {
   constexpr Eigen::Index kSome = 64;
@@ -153,10 +163,12 @@ bool may_mirror(const Deformer& some, const std::vector<Lattice>& deformed) {
 
 int run(const DeformOptions& options, const StageOptions& stage_options) {
   const std::vector<std::string> outputs = outputs_of(options);
+  const std::vector<StageText> texts = stage_options.texts();
+  check_inputs_stay(options, outputs, texts);
   const Outside outside = Outside::parse(options.outside);
   const std::unique_ptr<Device> device = make_device(options.device);
   Geometry geometry = Geometry::read(options.input);
-  const std::vector<Stage> stages = make_stages(stage_options.texts(), geometry.positions());
+  const std::vector<Stage> stages = make_stages(texts, geometry.positions());
   std::vector<Deformer::Rest> rest;
   std::vector<StageFolds> folds;
   for (const Stage& stage : stages) {

@@ -56,7 +56,8 @@ int run(const EmbedOptions& options, const StageOptions& stage_options) {
   if (!texts.front().deformations.empty()) {
     throw UsageError("--deform: vertices are embedded at rest; use hwffd deform to move them");
   }
-  check_outputs({{"--output", options.output}, {"--json", options.report}});
+  check_outputs({{"--output", options.output}, {"--json", options.report}},
+                {options.input, texts.front().lattice});
   const Geometry geometry = Geometry::read(options.input);
   const std::vector<Stage> stages = make_stages(texts, geometry.positions());
   std::optional<FoldCheck> folds;

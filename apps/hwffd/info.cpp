@@ -96,7 +96,7 @@ std::string text_of(const Json& info) {
 }
 
 int run(const InfoOptions& options) {
-  check_outputs({{"--json", options.report}});
+  check_outputs({{"--json", options.report}}, {options.file});
   const bool lattice = extension_of(options.file) == ".json";
   const Json info = options.file.empty() ? build_info()
                     : lattice            ? lattice_info(options.file)

@@ -28,7 +28,7 @@ struct LatticeOptions {
 int run(const LatticeOptions& options, const StageOptions& stage_options) {
   const std::vector<StageText> texts = stage_options.texts();
   if (texts.size() != 1) throw UsageError("--lattice: a file holds one lattice; give one");
-  check_outputs({{"--output", options.output}});
+  check_outputs({{"--output", options.output}}, {options.around});
   Points points(0, 3);
   if (!options.around.empty()) points = Geometry::read(options.around).positions();
   if (points.rows() == 0 && texts.front().region.empty()) {

@@ -8,6 +8,7 @@
 
 #include "hwffd/atomic_file.hpp"
 #include "hwffd/error.hpp"
+#include "hwffd/excerpt.hpp"
 #include "program.hpp"
 
 namespace hwffd::command {
@@ -32,6 +33,16 @@ bool is_device(const std::string& path) {
 
 }  // namespace
 
+void check_not_read(const Output& output, const std::vector<std::string>& inputs) {
+  if (output.path.empty() || output.path == "-" || is_device(output.path)) return;
+  for (const std::string& input : inputs) {
+    std::error_code none;
+    if (!fs::equivalent(output.path, input, none)) continue;
+    throw UsageError(
+        fmt::format("{} {}: is read from; name another file", output.option, excerpt(output.path)));
+  }
+}
+
 void check_outputs(const std::vector<Output>& outputs, const std::vector<std::string>& inputs) {
   std::map<std::string, const char*> options;
   for (const Output& output : outputs) {
@@ -43,12 +54,7 @@ void check_outputs(const std::vector<Output>& outputs, const std::vector<std::st
       throw UsageError(fmt::format("{} {}: {} goes there already; name another file", output.option,
                                    output.path, other->second));
     }
-    for (const std::string& input : inputs) {
-      std::error_code none;
-      if (fs::equivalent(output.path, input, none)) {
-        throw UsageError(output.path + ": is read from; name another file");
-      }
-    }
+    check_not_read(output, inputs);
     if (!standard) check_writable(output.path);
   }
 }

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "dims.hpp"
@@ -151,6 +152,18 @@ std::vector<StageText> StageOptions::texts() const {
   }
   if (stages.empty()) stages.emplace_back();
   return stages;
+}
+
+std::vector<std::string> files_of(const std::vector<StageText>& texts) {
+  constexpr std::string_view kTo = "to:";
+  std::vector<std::string> files;
+  for (const StageText& text : texts) {
+    if (!is_shape(text.lattice)) files.push_back(text.lattice);
+    for (const std::string& word : text.deformations) {
+      if (word.compare(0, kTo.size(), kTo) == 0) files.push_back(word.substr(kTo.size()));
+    }
+  }
+  return files;
 }
 
 std::optional<Family> family_named(const std::string& name) {

@@ -25,6 +25,9 @@ struct StageText {
   std::vector<std::string> deformations;  ///< texts that Deformation::parse takes, in order
 };
 
+/// The files that stages are read from.
+std::vector<std::string> files_of(const std::vector<StageText>& texts);
+
 /// A lattice of the hierarchy, before and after.
 struct Stage {
   std::string name;  ///< of its shape or file
