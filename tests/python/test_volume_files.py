@@ -197,6 +197,8 @@ REFUSED = {
     "in.nrrd box out.png": (USAGE, "out.png", ".nii.gz"),
     "in.nrrd box out": (USAGE, "out:", ".nrrd"),
     "in.nrrd box out.nrrd --field ./out.nrrd": (USAGE, "--field", "output"),
+    "in.nrrd box out.nrrd --field ./in.nrrd": (USAGE, "--field ./in.nrrd", "the input"),
+    "in.nrrd box words.nrrd --like words.nrrd": (USAGE, "output words.nrrd", "--like"),
     "in.nrrd box none/out.nrrd": (FAILURE, "none/out.nrrd", "folder"),
     "in.nrrd box kept.nrrd": (FAILURE, "kept.nrrd: is read-only"),
     "in.nrrd box out.nrrd --field none/f.mha": (FAILURE, "none/f.mha"),

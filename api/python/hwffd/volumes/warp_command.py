@@ -89,8 +89,9 @@ def _report(options: argparse.Namespace, lattice: Lattice, warped: Warped) -> st
 def run(words: Sequence[str]) -> None:
     """The program, which throws what it does not do."""
     options = _options(words)
-    check_outputs({"output": options.output, "--field": options.field}, {},
+    check_outputs({"output": options.output, "--field": options.field}, {"--like": options.like},
                   lambda option, path: check_writable(path))
+    check_outputs({"--field": options.field}, {"the input": options.input})
     volume = read_quietly(options.input)
     like = read_quietly(options.like) if options.like else None
     lattice = _lattice(options, volume)
