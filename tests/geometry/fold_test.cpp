@@ -266,6 +266,30 @@ TEST(Fold, TornJointsFoldClosedOnesDoNot) {
 
 /// Proved at once and after many halvings, folded, undecided for their depth and for their number:
 /// the answer is the same to the last bit on any number of threads.
+TEST(Fold, AnswersAreTheSameFarFromTheOrigin) {
+  const auto lattices = [](double far) {
+    const Point origin(far, 1, -far);
+    return std::vector<Lattice>{Cylinder(origin, kUnit).lattice({4, 5, 9}),
+                                Sphere(origin, kUnit).lattice({5, 6, 9}),
+                                Box(origin, kUnit).lattice({4, 5, 6})};
+  };
+  const std::vector<Lattice> near = lattices(0);
+  std::set<Verdict> verdicts;
+  for (const double far : {1e4, 1e6, 1e9}) {
+    const std::vector<Lattice> there = lattices(far);
+    for (std::size_t n = 0; n < near.size(); ++n) {
+      for (const std::string how : {"none", "twist:30", "bend:60", "random:3", "scale:-1,1,2"}) {
+        const FoldCheck wanted = check_folds(deformed(deformed(near[n], how), "taper:0.8"));
+        const FoldCheck got = check_folds(deformed(deformed(there[n], how), "taper:0.8"));
+        EXPECT_EQ(got.text(), wanted.text()) << n << " " << how << " " << far;
+        EXPECT_NEAR(got.volume, wanted.volume, 1e-12 * far + 1e-9) << n << " " << how << " " << far;
+        verdicts.insert(wanted.verdict);
+      }
+    }
+  }
+  EXPECT_EQ(verdicts, (std::set<Verdict>{Verdict::kProved, Verdict::kFolded}));
+}
+
 TEST(Fold, AnswersDoNotDependOnTheNumberOfThreads) {
   const Lattice ball = Sphere(Point::Zero(), kUnit).lattice({7, 9, 12});
   Points flat = box({14, 14, 14}).points();

@@ -128,6 +128,16 @@ TEST(Closure, TornJointsAreFoundTorn) {
   EXPECT_EQ(joints(Closure(Closure(tube).restore(moved(tube)))), joints(Closure(tube)));
 }
 
+// Far from the origin coordinates are rounded by more than 1e-12 of the size.
+TEST(Closure, FindsJointsFarFromTheOrigin) {
+  for (const double far : {1e3, 1e6, 1e9}) {
+    const Lattice ball = Sphere(Point(far, -far, 1), kUnit).lattice({5, 6, 9});
+    const Lattice twisted = Deformation::parse("twist:50").apply(ball);
+    EXPECT_EQ(joints(Closure(twisted)), joints(Closure(ball))) << far;
+    EXPECT_EQ(joints(Closure(moved(ball))), "") << far;
+  }
+}
+
 TEST(Closure, RestoreLeavesTheRestAlone) {
   const Lattice box = Box(Point::Zero(), kUnit).lattice({4, 5, 6});
   EXPECT_EQ(Closure(box).restore(moved(box)).points(), moved(box).points());

@@ -1,5 +1,6 @@
 #include "hwffd/lattice/closure.hpp"
 
+#include "far_rounding.hpp"
 #include "same_dims.hpp"
 
 namespace hwffd {
@@ -122,8 +123,8 @@ void collapse(const Layers& layers, Points& points, const Closure::Collapsed& fa
 Closure::Closure(const Lattice& lattice, const Family& family)
     : dims_(lattice.dims()), family_(family) {
   const Points& points = lattice.points();
-  const double tolerance =
-      kSame * (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
+  const double size = (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
+  const double tolerance = kSame * size + far_rounding(points, size);
   const Layers layers(dims_);
   const FaceWeights weights(family);
   for (int axis = 0; axis < 3; ++axis) {

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <iterator>
 #include <numeric>
 #include <vector>
 
+#include "far_rounding.hpp"
 #include "hwffd/lattice/bezier_volume.hpp"
 #include "hwffd/on_threads.hpp"
 
@@ -92,6 +94,7 @@ class Check {
     const Point high = points.colwise().maxCoeff();
     centre_ = (low + high) / 2;
     size_ = (high - low).maxCoeff();
+    far_ = far_rounding(points, size_);
   }
 
   FoldCheck run(int max_depth) {
@@ -121,14 +124,18 @@ class Check {
     BezierVolume determinant = jacobian_determinant(map);
     const double volume = determinant.integral()[0];
     // The slopes have the rounding of the points (a hundred times smaller than kRounding).
-    double rounding = kRounding;
-    for (int axis = 0; axis < 3; ++axis) rounding *= largest(map.derivative(axis)) + size_ / 100;
+    std::array<double, 3> slopes{};
+    for (int axis = 0; axis < 3; ++axis) {
+      slopes[static_cast<std::size_t>(axis)] = largest(map.derivative(axis)) + size_ / 100;
+    }
+    double rounding = kRounding * slopes[0] * slopes[1] * slopes[2];
+    rounding += far_ * (slopes[0] * slopes[1] + slopes[1] * slopes[2] + slopes[2] * slopes[0]);
     bool collapsed = false;
     for (int axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
       for (int end = 0; end < 2; ++end) {
         if (index[a] != end * (count_[a] - 1)) continue;
-        const int power = collapsed_axes(map, axis, end, kSame * size_);
+        const int power = collapsed_axes(map, axis, end, kSame * size_ + far_);
         if (power == 0) continue;
         collapsed = true;
         determinant = determinant.without_factor(axis, end, power);
@@ -228,6 +235,7 @@ class Check {
   Point centre_;
   FoldCheck result_;
   double size_ = 0.0;
+  double far_ = 0.0;  ///< rounding of slopes where the lattice lies far from the origin
   double sign_ = 1.0;
 };
 

@@ -26,7 +26,8 @@ class Closure {
     int along = 0;  ///< and does not depend on the coordinate along this one
   };
 
-  /// Joints of a lattice whose cells are of a family, to within 1e-12 of its size.
+  /// Joints of a lattice whose cells are of a family, to within 1e-12 of its size, or of the
+  /// rounding of coordinates where it lies far from the origin.
   explicit Closure(const Lattice& lattice, const Family& family = {});
 
   /// Whether the axis is closed.
