@@ -13,6 +13,8 @@
 #include "hwffd/lattice/closure.hpp"
 #include "hwffd/lattice/cylinder.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "hwffd/lattice/inverse.hpp"
+#include "hwffd/lattice/lattice_evaluator.hpp"
 #include "hwffd/lattice/outside.hpp"
 #include "hwffd/oracle/oracle.hpp"
 #include "named.hpp"
@@ -287,6 +289,34 @@ TEST(Hierarchy, StagesComposeAndTheRestFollowsTheGlobalOneAlone) {
   }
   EXPECT_GT(inside, 80);
   EXPECT_GT(outside, 800);
+}
+
+// Nearest places turn corners, on whose two sides derivatives are others.
+TEST(Inverse, FindsNearlyEveryPointThatFollows) {
+  constexpr Eigen::Index kPoints = 300;
+  const Lattice rest = Cylinder(Point(0, -1, 0), 1.4 * kUnit).lattice({4, 5, 10});
+  const Lattice deformed =
+      Deformation::parse("bend:15").apply(Deformation::parse("twist:20").apply(rest));
+  const Embedder embedder(rest);
+  const Points points = 2.5 * Points::Random(kPoints, 3);
+  for (const std::string text : {"clamp", "fade:5"}) {
+    const Outside outside = Outside::parse(text);
+    const auto moved = [&](const Points& from) {
+      const Attachment at(embedder, from, outside);
+      const Oracle::Coefficients bspline = Oracle::uniform_bspline();
+      return at.follow(evaluate_in(deformed, at.places(), {bspline, bspline, bspline}));
+    };
+    const Points targets = moved(points);
+    Points found = inverse_of(embedder, deformed, outside, targets);
+    Eigen::Index lost = 0;
+    for (Eigen::Index i = 0; i < kPoints; ++i) {
+      if (found.row(i).allFinite()) continue;
+      found.row(i) = points.row(i);
+      ++lost;
+    }
+    EXPECT_LE(lost, 3 * kPoints / 100) << text;
+    EXPECT_LT((moved(found) - targets).rowwise().norm().maxCoeff(), 1e-11) << text;
+  }
 }
 
 /// In the other order the local lattice would stay where the object was.

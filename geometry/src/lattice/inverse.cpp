@@ -29,7 +29,8 @@ Points evaluate_places(const Lattice& lattice, const std::vector<Embedded>& plac
 }
 
 /// Newton's method for points outside the cells, all at once, each with a part of its step that is
-/// smaller while that brings it no nearer.
+/// smaller while that brings it no nearer. Where the nearest place turns a corner, a derivative is
+/// that of one side only: there as large a part of what the point is off by comes in between.
 class InverseSearch {
  public:
   InverseSearch(const Embedder& rest, const Lattice& deformed, const Outside& outside,
@@ -39,7 +40,8 @@ class InverseSearch {
         outside_(outside),
         targets_(std::move(targets)),
         at_(targets_),
-        part_(static_cast<std::size_t>(targets_.rows()), 1.0) {
+        part_(static_cast<std::size_t>(targets_.rows()), 1.0),
+        plain_(static_cast<std::size_t>(targets_.rows()), 0) {
     const double largest = targets_.size() == 0 ? 0.0 : targets_.cwiseAbs().maxCoeff();
     tolerance_ = kInverseTolerance * rest.size() + kCoordinateRounding * largest;
   }
@@ -51,13 +53,16 @@ class InverseSearch {
       Reached then = reached(next);
       for (Eigen::Index i = 0; i < at_.rows(); ++i) {
         double& part = part_[static_cast<std::size_t>(i)];
+        char& plain = plain_[static_cast<std::size_t>(i)];
         if (then.difference.row(i).norm() < now.difference.row(i).norm()) {
           at_.row(i) = next.row(i);
           now.difference.row(i) = then.difference.row(i);
           now.gradients[static_cast<std::size_t>(i)] = then.gradients[static_cast<std::size_t>(i)];
           part = std::min(1.0, 2 * part);
+          plain = 0;
         } else {
-          part /= 4;
+          if (plain != 0) part /= 4;
+          plain = plain == 0 ? 1 : 0;
         }
       }
     }
@@ -98,9 +103,9 @@ class InverseSearch {
       const Eigen::Vector3d difference = now.difference.row(i);
       const Eigen::Vector3d step =
           now.gradients[static_cast<std::size_t>(i)].partialPivLu().solve(difference);
-      // Where the derivative is not known, by as much as the point is off.
-      next.row(i) +=
-          part_[static_cast<std::size_t>(i)] * (step.allFinite() ? step : difference).transpose();
+      // Also where the derivative is not known, by as much as the point is off.
+      const bool plain = plain_[static_cast<std::size_t>(i)] != 0 || !step.allFinite();
+      next.row(i) += part_[static_cast<std::size_t>(i)] * (plain ? difference : step).transpose();
     }
     return next;
   }
@@ -111,6 +116,7 @@ class InverseSearch {
   Points targets_;
   Points at_;
   std::vector<double> part_;
+  std::vector<char> plain_;  ///< whether the next step is what the point is off by
   double tolerance_ = 0.0;
 };
 
