@@ -8,6 +8,7 @@
 #include <random>
 
 #include "errors.hpp"
+#include "hwffd/lattice/around.hpp"
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/closure.hpp"
 #include "hwffd/lattice/cylinder.hpp"
@@ -147,6 +148,27 @@ TEST(Closure, RestoreLeavesTheRestAlone) {
     for (int k = 0; k < 5; ++k) {
       EXPECT_EQ(restored.point(i, 2, k), moved(tube).point(i, 2, k));
       EXPECT_NE(restored.point(i, 2, k), tube.point(i, 2, k));
+    }
+  }
+}
+
+// <closed lattice, gradient> = <moved lattice, what is pulled back>.
+TEST(Closure, PullBackIsTheTransposeOfRestore) {
+  for (const std::string& name : Family::names()) {
+    const Family family = Family::parse(name);
+    for (const char* shape : {"box", "cylinder", "sphere"}) {
+      const Points corners = corners_of(Point(-1, -1, -1), Point(1, 2, 1));
+      const Lattice rest =
+          lattice_around(shape, corners, std::optional<Index3>(Index3{4, 7, 10}), family);
+      const Closure closure(rest, family);
+      EXPECT_EQ(closure.joined(), shape != std::string("box"));
+      const Lattice torn = moved(rest);
+      const Points gradient = Points::Random(torn.points().rows(), 3);
+      const Points pulled = closure.pull_back(gradient);
+      EXPECT_NEAR(closure.restore(torn).points().cwiseProduct(gradient).sum(),
+                  torn.points().cwiseProduct(pulled).sum(), 1e-11)
+          << name << " " << shape;
+      if (!closure.joined()) EXPECT_EQ(pulled, gradient) << name;
     }
   }
 }

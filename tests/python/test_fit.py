@@ -56,6 +56,24 @@ def test_outliers_hardly_pull(loss):
     assert (result["distances"][~good] > 0.4).all()
 
 
+@pytest.mark.parametrize("family", ["bspline", "bernstein", "linear"])
+@pytest.mark.parametrize("shape", ["cylinder", "sphere"])
+def test_joints_stay_closed(shape, family):
+    random = np.random.default_rng(5)
+    points = random.uniform(-1, 1, (400, 3))
+    targets = points + 0.1 * np.sin(3 * points[:, ::-1]) + random.normal(0, 0.02, points.shape)
+    dims = (7, 7, 13) if family == "bernstein" else (5, 6, 9)
+    lattice = hwffd.Lattice.around(shape, dims=dims, family=family, region=[[-1, -1, -1], [1, 1, 1]])
+    result = hwffd.fit(lattice, points, targets, iterations=100)
+    assert result["rms_end"] < 0.7 * result["rms_start"]
+    # On both sides of the seam, and around the axis.
+    seam = np.stack([random.uniform(0.1, 0.9, 100), random.uniform(-0.8, 0.8, 100), np.full(100, 1e-9)], -1)
+    turn = np.linspace(0, 6, 50)
+    axis = np.stack([1e-9 * np.cos(turn), np.full(50, 0.3), 1e-9 * np.sin(turn)], -1)
+    assert np.abs(hwffd.deform(lattice, seam) - hwffd.deform(lattice, seam * [1, 1, -1])).max() < 1e-4
+    assert np.ptp(hwffd.deform(lattice, axis), axis=0).max() < 1e-4
+
+
 def test_a_penalty_smooths():
     points, lattice, targets = scene()
     noisy = targets + np.random.default_rng(4).normal(0, 0.02, targets.shape)

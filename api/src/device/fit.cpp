@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "hwffd/error.hpp"
+#include "hwffd/lattice/closure.hpp"
 #include "hwffd/lattice/coordinates.hpp"
 #include "hwffd/registration/bending_form.hpp"
 #include "hwffd/registration/l_bfgs.hpp"
@@ -124,6 +126,7 @@ class Objective {
       : lattice_(lattice),
         points_(std::move(points)),
         options_(options),
+        closure_(lattice.rest(), lattice.family()),
         start_(lattice.deformed().points()) {
     if (options.bending_weight != 0.0) {
       if (lattice.family().kind() != Family().kind()) {
@@ -161,6 +164,7 @@ class Objective {
         slope(row, c) += 2.0 * ridge * move;
       }
     }
+    if (closure_.joined()) slope = closure_.pull_back(std::move(slope));
     slope.array().colwise() /= scale_;
     gradient.assign(slope.data(), slope.data() + slope.size());
     return value;
@@ -170,11 +174,14 @@ class Objective {
     return std::vector<double>(static_cast<std::size_t>(start_.size()));
   }
   double largest_scale() const { return scale_.maxCoeff(); }
-  /// Control points of the minimizer's variables, which are their scaled moves.
+  /// Control points of the minimizer's variables, which are their scaled moves. Where the lattice
+  /// at rest is joined to itself it stays so.
   Points points_of(const std::vector<double>& x) const {
     Points moves = Eigen::Map<const Points>(x.data(), start_.rows(), 3);
     moves.array().colwise() /= scale_;
-    return start_ + moves;
+    moves += start_;
+    if (!closure_.joined()) return moves;
+    return closure_.restore(Lattice(lattice_.rest().dims(), std::move(moves))).points();
   }
 
   /// The distances of points that are carried from their targets, where control points are now.
@@ -203,7 +210,8 @@ class Objective {
     for (Eigen::Index i = 0; i < ones.rows(); ++i) {
       ones.row(i).setConstant(points_.weights[static_cast<std::size_t>(i)]);
     }
-    const Points sums = lattice_.pull_back(points_.places, ones, lattice_.choice().device);
+    Points sums = lattice_.pull_back(points_.places, ones, lattice_.choice().device);
+    if (closure_.joined()) sums = closure_.pull_back(std::move(sums));
     constexpr double kLeast = 1e-6;  // of the largest: where no point is, the ridge is alone
     scale_ = sums.col(0).array().max(kLeast * sums.col(0).maxCoeff()).sqrt();
   }
@@ -211,6 +219,7 @@ class Objective {
   DeformableLattice& lattice_;
   Carried points_;
   const FitOptions& options_;
+  Closure closure_;
   Points start_;
   Eigen::ArrayXd scale_;  ///< of each control point
   std::optional<BendingForm> bending_;

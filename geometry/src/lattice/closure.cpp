@@ -71,6 +71,20 @@ struct Face {
     points.row(row + first + weights.moves * step) += weights.sum / weights.of[layer] * by;
   }
 
+  /// The transpose of move(): what the gradient has of `by`.
+  Eigen::RowVector3d pulled(const Points& gradient, Eigen::Index row) const {
+    const auto layer = static_cast<std::size_t>(weights.moves);
+    return weights.sum / weights.of[layer] * gradient.row(row + first + weights.moves * step);
+  }
+
+  /// The transpose of knot(): gives the layers their parts of what the face has.
+  void pull(Points& gradient, Eigen::Index row, const Eigen::RowVector3d& at_knot) const {
+    for (int layer = 0; layer < 3; ++layer) {
+      gradient.row(row + first + layer * step) +=
+          weights.of[static_cast<std::size_t>(layer)] / weights.sum * at_knot;
+    }
+  }
+
   Eigen::Index step;
   Eigen::Index first;
   FaceWeights weights;
@@ -118,6 +132,25 @@ void collapse(const Layers& layers, Points& points, const Closure::Collapsed& fa
   });
 }
 
+/// The transpose of collapse().
+void pull_collapse(const Layers& layers, Points& gradient, const Closure::Collapsed& face,
+                   const FaceWeights& weights, int repeated) {
+  const Face layer(layers, face.axis, face.end, weights);
+  const int size = layers.size(face.along);
+  const int distinct = size - repeated;
+  const Eigen::Index step = layers.step(face.along);
+  Points pulled(size, 3);
+  layers.each(face.axis, [&](Eigen::Index row) {
+    if (row / step % size != 0) return;
+    for (int n = 0; n < size; ++n) pulled.row(n) = layer.pulled(gradient, row + n * step);
+    const Eigen::RowVector3d mean = pulled.colwise().sum() / distinct;
+    for (int n = 0; n < size; ++n) {
+      const Eigen::RowVector3d own = n < distinct ? mean : Eigen::RowVector3d::Zero();
+      layer.pull(gradient, row + n * step, own - pulled.row(n));
+    }
+  });
+}
+
 }  // namespace
 
 Closure::Closure(const Lattice& lattice, const Family& family)
@@ -158,6 +191,27 @@ Lattice Closure::restore(const Lattice& moved) const {
     collapse(layers, points, face, weights, closed(face.along) ? repeated() : 0);
   }
   return Lattice(dims_, std::move(points));
+}
+
+Points Closure::pull_back(Points gradient) const {
+  const Layers layers(dims_);
+  const FaceWeights weights(family_);
+  for (auto face = collapsed_.rbegin(); face != collapsed_.rend(); ++face) {
+    pull_collapse(layers, gradient, *face, weights, closed(face->along) ? repeated() : 0);
+  }
+  for (int axis = 2; axis >= 0; --axis) {
+    if (!closed(axis)) continue;
+    const Eigen::Index step = layers.step(axis);
+    const Eigen::Index period = step * (layers.size(axis) - repeated());
+    layers.each(axis, [&](Eigen::Index row) {
+      for (int layer = repeated() - 1; layer >= 0; --layer) {
+        const Eigen::Index from = row + layer * step + period;
+        gradient.row(row + layer * step) += gradient.row(from);
+        gradient.row(from).setZero();
+      }
+    });
+  }
+  return gradient;
 }
 
 }  // namespace hwffd

@@ -55,7 +55,8 @@ using FitProgress = std::function<bool(int iteration, double objective)>;
 ///
 /// by L-BFGS, from where the control points are. The lattice's device evaluates, and
 /// its transpose (Device::pull_back) makes the gradient. Points that the lattice does not carry
-/// count in no sum. No bit depends on the number of threads.
+/// count in no sum. Joints of the lattice at rest (Closure) stay closed. No bit depends on the
+/// number of threads.
 /// @param points, targets  n x 3, row by row: where points lie at rest and where they shall be
 /// @throws Error for other numbers of rows, coordinates that are not finite or beyond
 ///   kLargestCoordinate, no point in the lattice, and a lattice at rest that has no bending energy;

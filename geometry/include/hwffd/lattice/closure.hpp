@@ -45,6 +45,9 @@ class Closure {
   /// @param moved  of the same dimensions
   /// @throws Error if the dimensions differ
   Lattice restore(const Lattice& moved) const;
+  /// The transpose of restore(): of the gradient of a number with respect to the points of the
+  /// closed lattice, a row for each, that with respect to those of the moved one.
+  Points pull_back(Points gradient) const;
 
  private:
   Index3 dims_;
