@@ -56,6 +56,18 @@ def test_files_come_back(suffix, kind, tmp_path):
     assert image.GetSize() == volume.counts
 
 
+def test_any_order_of_bytes_and_what_itk_has_not(tmp_path):
+    values = np.arange(60).reshape(3, 4, 5)
+    for kind in ">i2", "<i2", ">f4", ">f8", ">u8":
+        volumes.write(tmp_path / "a.nrrd", volumes.Volume(values.astype(kind)))
+        again = volumes.read(tmp_path / "a.nrrd").values
+        assert again.dtype == np.dtype(kind).newbyteorder("=")
+        np.testing.assert_array_equal(again, values)
+    with pytest.raises(hwffd.UsageError, match="^volume: voxels of float16, .* give integers, float32"):
+        volumes.write(tmp_path / "a.nrrd", volumes.Volume(values.astype(np.float16)))
+    assert volumes.read(tmp_path / "a.nrrd").values.dtype == np.uint64
+
+
 @pytest.mark.parametrize("suffix", SUFFIXES)
 def test_directions_that_are_not_at_right_angles(suffix, tmp_path):
     volume = volumes.Volume(np.zeros((3, 4, 5)), direction=[[1, 0.6, 0], [0, 0.8, 0], [0, 0, 1]])

@@ -42,7 +42,12 @@ def from_itk(image: SimpleITK.Image) -> Volume:
 def to_itk(volume: Volume) -> SimpleITK.Image:
     """The same as an image of SimpleITK."""
     itk = simple_itk()
-    image = itk.GetImageFromArray(volume.values, isVector=volume.values.ndim == 4)
+    values = volume.values.astype(volume.values.dtype.newbyteorder("="), copy=False)
+    try:
+        image = itk.GetImageFromArray(values, isVector=values.ndim == 4)
+    except TypeError as error:
+        raise UsageError(f"volume: voxels of {values.dtype}, which ITK has not; give integers, float32 or "
+                         "float64") from error
     image.SetOrigin(volume.origin.tolist())
     image.SetSpacing(volume.spacing.tolist())
     image.SetDirection(volume.direction.ravel().tolist())
