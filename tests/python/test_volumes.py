@@ -224,6 +224,12 @@ def test_what_is_no_volume_is_refused():
         (lambda: volumes.warp(phantom(np.int16), lattice, default=np.nan), "default nan"),
         (lambda: volumes.lattice_over(volume, (4, 4)), "dims"),
         (lambda: volumes.lattice_over(volume, (4, 4, 65)), "4 to 64"),
+        (lambda: volumes.lattice_over(volume, (4.5, 5, 5)), "whole numbers"),
+        (lambda: volumes.displacement_field(volume, lattice, kind="i4"), "kind i4: no floats"),
+        (lambda: volumes.warp(volume, lattice, default="dark"), "default 'dark'"),
+        (lambda: volumes.Volume(good, metadata={"echo": 1}), "no text"),
+        (lambda: volumes.write_transform("none.foo", lattice), "none.foo: .* .tfm or .h5"),
+        (lambda: volumes.write_transform("none/none.tfm", lattice), "none.tfm: cannot be written"),
         (lambda: volumes.coefficients(np.zeros((3, 4))), "2 dimensions"),
         (lambda: volumes.coefficients(np.full((3, 4, 5), np.nan)), "60 voxels are not finite"),
     )

@@ -48,7 +48,12 @@ def to_itk_transform(lattice: Lattice) -> SimpleITK.BSplineTransform:
 
 def write_transform(path: os.PathLike[str] | str, lattice: Lattice) -> None:
     """Writes to_itk_transform() to a new file, .tfm or .h5."""
-    simple_itk().WriteTransform(to_itk_transform(lattice), os.fspath(path))
+    transform = to_itk_transform(lattice)
+    try:
+        simple_itk().WriteTransform(transform, os.fspath(path))
+    except RuntimeError as error:
+        raise Error(f"{path}: cannot be written; give a name that ends with {' or '.join(SUFFIXES)}, in a "
+                    "folder that is there and writable") from error
 
 
 def read_affine(path: os.PathLike[str] | str) -> NDArray[np.float64]:

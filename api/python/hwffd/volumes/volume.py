@@ -60,6 +60,8 @@ class Volume:
         self.spacing = _numbers("spacing", spacing, (3,))
         self.direction = _numbers("direction", direction, (3, 3))
         self.metadata = dict(metadata or {})
+        if not all(isinstance(text, str) for pair in self.metadata.items() for text in pair):
+            raise UsageError("volume: metadata with what is no text; give names and values as texts")
         if not (self.spacing > 0).all():
             raise UsageError(f"volume: spacing {self.spacing.tolist()}; give numbers above 0")
         if abs(np.linalg.det(self.direction)) < 1e-6:

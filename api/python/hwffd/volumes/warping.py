@@ -47,8 +47,10 @@ def lattice_over(volume: Volume, dims: Sequence[int] = (4, 4, 4)) -> Lattice:
 
     dims: control points along i, j and k, 4 to 64 each."""
     counts = np.array(volume.counts)
-    if len(dims) != 3 or not all(_FEWEST_POINTS <= n <= _MOST_POINTS for n in dims):
-        raise UsageError(f"dims {tuple(dims)}; give three numbers, {_FEWEST_POINTS} to {_MOST_POINTS}")
+    points = np.asarray(dims)
+    if points.shape != (3,) or points.dtype.kind not in "iu" or not all(
+            _FEWEST_POINTS <= n <= _MOST_POINTS for n in points):
+        raise UsageError(f"dims {dims}; give three whole numbers, {_FEWEST_POINTS} to {_MOST_POINTS}")
     steps = counts / (np.array(dims) - 3)
     grid = np.stack(np.meshgrid(*map(np.arange, dims), indexing="ij"), -1)
     return Lattice.of(volume.points((grid - 1) * steps - 0.5))
@@ -138,6 +140,8 @@ def resample(volume: Volume, lattice: Lattice, *, like: Volume | None = None, or
              default: float = 0.0, with_field: bool = False,
              progress: Progress | None = None) -> Warped:
     """warp() with all that is known of it: the field, if wanted, and counts of voxels outside."""
+    if not isinstance(default, (int, float, np.number)):
+        raise UsageError(f"default {default!r}; give a number")
     if volume.values.dtype.kind != "f" and not np.isfinite(default):
         raise UsageError(f"default {default}: no integer; give a number that voxels can have")
     grid = like or volume
@@ -189,6 +193,8 @@ def displacement_field(grid: Image, lattice: Lattice, *, kind: DTypeLike = np.fl
     grid: a Volume, or an image of SimpleITK, of which the values do not matter; so is the result.
     kind: of the numbers."""
     volume, back = _volume_of(grid)
+    if np.dtype(kind).kind != "f":
+        raise UsageError(f"kind {kind}: no floats, which displacements are; give float32 or float64")
     field = np.empty((*volume.values.shape[:3], 3), kind)
     for block, points, moved, _ in _carried(lattice, volume, progress):
         field[block] = moved - points
