@@ -23,7 +23,7 @@ bool all_sum_to_one(const Device::Blending& blending) {
   return std::all_of(blending.begin(), blending.end(), Oracle::sum_to_one);
 }
 
-bool all_bspline(const Device::Blending& blending) {
+bool are_bsplines(const Device::Blending& blending) {
   return std::all_of(blending.begin(), blending.end(), [](const Oracle::Coefficients& axis) {
     return axis == Oracle::uniform_bspline();
   });
@@ -33,7 +33,7 @@ bool all_bspline(const Device::Blending& blending) {
 
 std::array<AxisWords, 3> function_words(const Device::Blending& blending, const WordCodec& codec,
                                         const Configuration& row, const std::string& device) {
-  if (wired_in(row) && !all_bspline(blending)) {
+  if (wired_in(row) && !are_bsplines(blending)) {
     throw Error(
         fmt::format("{}: has the B-spline wired in and takes no other blending functions: take a "
                     "row without powers, or family bspline or clamped",
