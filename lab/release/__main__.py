@@ -35,6 +35,8 @@ STUDIES = pathlib.Path(__file__).with_name("studies.csv")
 PROGRAMS = {"verilator": "--version", "iverilog": "-V", "yosys": "-V", "nextpnr-ecp5": "--version", "nextpnr-ice40": "--version",
             "sta": "-version", "gappa": "--version", "coqc": "--version", "g++": "--version", "cmake": "--version",
             "python3": "--version"}
+# What make hands on in the environment: variables of its own command line, which no study is to take for its own.
+OF_MAKE = ("MAKE", "MFLAGS", "HWFFD_GIVEN_")
 
 
 def read(path):
@@ -119,9 +121,10 @@ class Release:
             (fresh / f"{report}.json").unlink(missing_ok=True)
         log = self.folder / f"{reports[0][0]}.log"
         log.parent.mkdir(parents=True, exist_ok=True)
+        environment = {name: value for name, value in os.environ.items() if not name.startswith(OF_MAKE)}
         with log.open("w", encoding="utf-8") as file, subprocess.Popen(
                 ["bash", "-c", command], cwd=self.root, stdin=subprocess.DEVNULL, stdout=file, stderr=subprocess.STDOUT,
-                env={**os.environ, "HWFFD_RESULTS": str(self.folder.relative_to(self.root))}, start_new_session=True) as process:
+                env={**environment, "HWFFD_RESULTS": str(self.folder.relative_to(self.root))}, start_new_session=True) as process:
             try:
                 status = process.wait()
             except BaseException:
@@ -144,7 +147,10 @@ class Release:
 
     def lacking(self, name):
         """What a result lacks to be whole, '' if nothing."""
-        absent = missing(results.Results(self.root, self.folder.relative_to(self.root), MODULES), name)
+        try:
+            absent = missing(results.Results(self.root, self.folder.relative_to(self.root), MODULES), name)
+        except (results.Missing, results.RequestError, KeyError) as error:
+            return f"{name}.json cannot be judged: {error}"
         return f"{name}.json lacks {absent}" if absent else ""
 
     def publish(self):

@@ -90,6 +90,23 @@ def test_some_of_them(tree, measured):
     assert (status, ran) == (0, ["a"]) and out[-1].startswith("results: wrote docs/results/1.2.3")
 
 
+def test_variables_of_make_are_not_those_of_a_study(tree, measured, monkeypatch):
+    tree.put({"study.sh": STUDY + 'echo "$MAKEFLAGS$HWFFD_GIVEN_ONLY$JOBS" > build/said\n'})
+    tree.commit()
+    for name, value in {"MAKEFLAGS": "w -- ONLY=a", "HWFFD_GIVEN_ONLY": "a", "JOBS": "3"}.items():
+        monkeypatch.setenv(name, value)
+    assert measured("--only", "a")[0] == 0
+    assert tree.text("build/said") == "3\n"
+
+
+def test_a_result_that_cannot_be_judged_is_none(tree, measured):
+    tree.put({"studies.csv": TABLE.replace("a,a,sh study.sh a", "compare,compare,sh study.sh compare")})
+    tree.commit()
+    status, _, (error,), _ = measured("--only", "compare")
+    assert (status, error) == (1, "results: compare.json cannot be judged: 'kind'")
+    assert list((tree.root / "build" / "results").rglob("*.json")) == []
+
+
 def test_a_change_is_refused(tree, measured):
     tree.put({"new": "1"})
     assert measured() == (2, [], ["results: the tree has a local change, new: commit it first"], [])
