@@ -100,15 +100,20 @@ def printed(reports):
     text += (f"\n\nvertex/s is of the simulation; C++, eq. (1) in double by three loops, does "
              f"{report['reference_vertices_per_s']:.0f}; each is timed alone on one thread, "
              f"compiled with {report['compiler_options']}\n\n")
-    if not reports.has("synth"):
+    if not _has_areas(reports):
         return text + "no areas: make synth writes build/reports/synth.json"
     return text + throughput.table(reports).text()
+
+
+def _has_areas(reports):
+    """Whether there are any: of areas that are no report of make synth nothing is said."""
+    return reports.has("synth") and bool(reports.get("synth").get("rows"))
 
 
 def finished(reports):
     """With what each row is on every target on which it has been mapped."""
     report = reports.get("organizations")
-    if not reports.has("synth"):
+    if not _has_areas(reports):
         return report
     targets = throughput.by_row(reports)
     return {**report, "rows": [{**row, "targets": targets.get(row["name"], {})}

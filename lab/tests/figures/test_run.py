@@ -7,6 +7,7 @@ import sys
 
 import pytest
 
+from tests.support import report_samples as samples
 
 WRITE = """import json, pathlib, sys
 path = pathlib.Path("build/reports/plates.json")
@@ -50,3 +51,9 @@ def test_nothing_is_printed_where_it_is_asked_not_to_be_or_nothing_was_written(c
     before = checkout.text("build/reports/plates.json")
     assert study(report=None, status=2) == (2, "")
     assert checkout.text("build/reports/plates.json") == before
+
+
+def test_another_report_that_is_none_leaves_out_a_picture_only(checkout, study):
+    checkout.put({"build/reports/synth.json": '{"tests": 61}'})
+    status, text = study(name="organizations", report=samples.ORGANIZATIONS)
+    assert status == 0 and "no areas" in text and "no pictures: synth has no rows" in text
