@@ -2,7 +2,7 @@
 
 `what` is a branch's or line's source text without blanks at its ends, or a signal's bit or bits, w[3] or
 w[0-3]. Of the kind `module`, whose `what` is `all`, the module need not be in any program. A line that fits
-no place, or only places that were run, is an error: reasons must not outlive what they were written for.
+no place, or only places that were run, is a fault: reasons must not outlive what they were written for.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -45,23 +45,22 @@ def _fits(row, place, source):
 
 
 def unneeded(rows, counts):
-    """Modules that need not be in any program. Raises CoverageError for one that is."""
+    """(modules that need not be in any program and are in none, a line for each that is in one)."""
     names = {row["module"] for row in rows if row["kind"] == MODULE}
-    for name in names & {place.module for place in counts}:
-        raise CoverageError(f"exclusions.csv: {name}, module: a program has it: take the row out")
-    return names
+    there = names & {place.module for place in counts}
+    return names - there, [f"exclusions.csv: {name}, module: a program has it: take the row out" for name in sorted(there)]
 
 
 def excluded(rows, counts, sources):
-    """The places that were not run and need not be. Raises CoverageError for a row that is idle."""
+    """(the places that were not run and need not be, a line for each row that is idle)."""
     missed = [place for place, count in counts.items() if count == 0]
-    left_out = set()
+    left_out, idle = set(), []
     for row in rows:
         if row["kind"] == MODULE:
             continue
         fitting = {place for place in missed if _fits(row, place, sources.get(place.module, ()))}
         if not fitting:
-            raise CoverageError(f"exclusions.csv: {row['module']}, {row['kind']} {row['what']}: "
-                                "no such place is missed: take the row out")
+            idle.append(f"exclusions.csv: {row['module']}, {row['kind']} {row['what']}: no such place is missed: "
+                        "take the row out")
         left_out |= fitting
-    return left_out
+    return left_out, idle
