@@ -7,6 +7,7 @@ from tools.reports.text_table import Table, shown
 
 ORGANIZATION, CORE, SYSTEM = "ffd_org_select", "hwffd_stream", "hwffd_axi"
 BUS = "hwffd_stream_bus"  # that core on streams of other widths
+SCATTER, ADJOINT = "hwffd_scatter", "hwffd_adjoint"
 TITLES = {
     "generic": "Generic gates", "ecp5": "Lattice ECP5", "up5k": "Lattice iCE40 UltraPlus (UP5K)",
     "hx8k": "Lattice iCE40 HX8K", "nexus": "Lattice CrossLink-NX", "gowin": "Gowin GW2A",
@@ -60,10 +61,18 @@ def organizations(reports, target="ecp5"):
     return table
 
 
-def cores(reports, target="ecp5", top=CORE):
-    """Whole cores in fx18, overlapped, as their rows say."""
-    return mapped([row for row in reports.rows("synth", target=target, top=top, format="fx18")
+def cores(reports, target="ecp5", top=CORE, formats="fx18"):
+    """Whole cores, overlapped, as their rows say, in fx18 or in formats that commas part."""
+    return mapped([row for row in reports.rows("synth", target=target, top=top, format=formats)
                    if not row.get("variant")], target)
+
+
+def transposes(reports, target="ecp5"):
+    """The transpose, by itself and with an evaluator, as its variants say."""
+    rows = reports.rows("synth", target=target, top=f"{SCATTER},{ADJOINT}")
+    table = mapped(rows, target)
+    return Table(["row", "module", *table.heads[1:], "built with"],
+                 [[line[0], f"`{row['top']}`", *line[1:], row["meaning"]] for row, line in zip(rows, table.rows)])
 
 
 def systems(reports, target="ecp5"):
@@ -103,8 +112,10 @@ GROUPS = (
     _rows_of("Whole cores, `hwffd_stream`", (CORE, BUS), None),
     _rows_of("Fixed and block floating point, `ffd_org_select`", (ORGANIZATION,), True),
     _rows_of("Binary32, `ffd_org_select`", (ORGANIZATION,), False),
+    _rows_of("The transpose, `hwffd_scatter`", (SCATTER,), None),
+    _rows_of("An evaluator with the transpose, `hwffd_adjoint`", (ADJOINT,), None),
     ("Binary32 units by themselves",
-     lambda row: row["top"] not in (ORGANIZATION, CORE, BUS, SYSTEM)),
+     lambda row: row["top"] not in (ORGANIZATION, CORE, BUS, SYSTEM, SCATTER, ADJOINT)),
 )
 
 
@@ -209,6 +220,6 @@ def missing(reports):
     return f"{absent} rows" if absent or report["failed"] else ""
 
 
-TABLES = {"organizations": organizations, "cores": cores, "systems": systems, "prices": prices,
+TABLES = {"organizations": organizations, "cores": cores, "transposes": transposes, "systems": systems, "prices": prices,
           "matrix": matrix, "critical_paths": critical_paths}
 FIGURES = {"rows": lambda reports: len(reports.rows("synth"))}

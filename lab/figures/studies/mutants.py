@@ -68,14 +68,13 @@ def _of(verdict):
     return lambda reports: reports.get("mutants")[verdict]
 
 
-TABLES = {"subjects": subjects, "modules": modules, "left": left}
 def _below(reports):
     """The subjects that are below their aim, with what they reach."""
-    aims = _subjects(reports)
-    cells = {name: _cells(sums)[-1] for name, sums in _sums(reports, "subject").items()}
-    return ", ".join(f"{name} {percent} %" for name, percent in cells.items()
-                     if percent != "-" and float(percent) < float(_aim(aims, name)))
+    aims, sums = _subjects(reports), _sums(reports, "subject")
+    return ", ".join(f"{name} {_cells(of)[-1]} %" for name, of in sums.items() if (asked := of["total"] - of["equivalent"])
+                     and 100 * of["killed"] / asked < float(_aim(aims, name))) or "none"
 
 
+TABLES = {"subjects": subjects, "modules": modules, "left": left}
 FIGURES = {"below": _below, "subjects": lambda reports: len(_subjects(reports)), **{verdict: _of(verdict) for verdict in VERDICTS}, "percent": _of("killed_percent"),
            "modules": lambda reports: len({row["module"] for row in reports.rows("mutants")})}

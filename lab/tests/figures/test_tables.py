@@ -12,7 +12,7 @@ from lab.figures.modules import CHARTS, MODULES, TEXTS, missing
 from lab.figures.studies import energy, organizations, streams, words
 from tests.support import report_samples as samples
 from tools.project_root import ROOT
-from tools.reports import results, text_blocks
+from tools.reports import results, synth_tables, text_blocks
 from tools.reports.results import RequestError
 
 
@@ -112,6 +112,31 @@ def test_a_finished_report_has_the_targets_of_each_row(checkout, data):
         bare = type(data)(data.root, modules=data.modules)
         assert "targets" not in organizations.finished(bare)["rows"][1]
         assert organizations.printed(bare).endswith("no areas: make synth writes build/reports/synth.json")
+
+
+def test_whole_cores_of_every_module_and_format(reports):
+    rows = [samples.mapped("affine3-fx17-overlapped", 800, top="hwffd_stream"),
+            samples.mapped("cg1-fx18-overlapped", 700, top="hwffd_stream"),
+            samples.mapped("add-fp32-latency4", 300, top="ffd_fp_add"),
+            samples.mapped("affine-fx17-overlapped+rows", 600, top="hwffd_scatter", variant="rows", meaning="by rows"),
+            samples.mapped("walk-fx17-overlapped+adjoint", 900, top="hwffd_adjoint", variant="adjoint", meaning="both")]
+    data = reports(synth={**samples.SYNTH, "wanted": 5, "rows": rows})
+    assert [line[0] for line in synth_tables.cores(data).rows] == ["`cg1-fx18-overlapped`"]
+    assert len(synth_tables.cores(data, "ecp5", "hwffd_stream", "fx17,fx18").rows) == 2
+    table = synth_tables.transposes(data)
+    assert [line[:3] + line[-1:] for line in table.rows] == [
+        ["`affine-fx17-overlapped+rows`", "`hwffd_scatter`", "600", "by rows"],
+        ["`walk-fx17-overlapped+adjoint`", "`hwffd_adjoint`", "900", "both"]]
+    units = synth_tables.document(data).split("Binary32 units by themselves")[1].split("\n## ")[0]
+    assert "add-fp32-latency4" in units and "hwffd" not in units and "overlapped" not in units
+
+
+@pytest.mark.parametrize("killed, below", ((9697, "none"), (9696, "slave 97.0 %")))
+def test_subjects_below_their_aim(checkout, reports, killed, below):
+    checkout.put({"lab/mutants/subjects.csv": "name,aim\nslave,96.965\n"})
+    row = {"subject": "slave", "module": "ffd", "total": 10000, "killed": killed, "equivalent": 0, "undecided": 0,
+           "survived": 10000 - killed, "survivors": []}
+    assert reports(mutants={"rows": [row]}).figure("mutants", "below") == below
 
 
 def test_a_report_that_is_not_whole(checkout, data):
