@@ -11,7 +11,7 @@ FORMATS = {"fp32", "fx17", "fx18", "fx32", "bfp32"}  # that a whole report has
 def formats(reports):
     rows = [{**row, "seams": f"{row['seam_differences']:,} of {row['seam_values']:,}"}
             for row in reports.rows("tangents")]
-    return listing(rows, "format | `format`", "mismatches | mismatches",
+    return listing(rows, "organization | `org`", "format | `format`", "mismatches | mismatches",
                    "max error dq | max_error:.2e", "max error det J | max_determinant_error:.1e",
                    "wrong fold flags | wrong_flags", "seam values that differ | seams")
 
