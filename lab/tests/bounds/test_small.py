@@ -3,15 +3,47 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import argparse
 import fractions
 
 import pytest
 
-from lab.bounds import dyadic, forms, gappa, powers, rows, weights
+from lab.bounds import __main__ as study, dyadic, forms, gappa, powers, rows, weights
 
 FX16 = weights.FORMATS["fx16"]
 NEEDS_GAPPA = pytest.mark.needs("gappa")
 NEEDS_COQ = pytest.mark.needs("gappa", "coqc")
+
+
+SEARCH = """#!/bin/sh
+echo "$@" >> {ran}
+mkdir -p "$2/reports"
+echo '{{}}' > "$2/reports/bounds_facts.json"
+exit $(cat {status} 2> /dev/null || echo 0)
+"""
+
+
+def test_what_has_been_searched_is_not_searched_again(tmp_path):
+    program, ran, status = (tmp_path / name for name in ("lab/bounds/hwffd-bounds", "ran", "status"))
+    program.parent.mkdir(parents=True)
+    program.write_text(SEARCH.format(ran=ran, status=status))
+    program.chmod(0o755)
+    options = argparse.Namespace(build=tmp_path, form="")
+
+    def searches(name="fx16"):
+        ran.unlink(missing_ok=True)
+        study.search(options, name)
+        return len(ran.read_text().splitlines()) if ran.exists() else 0
+
+    assert [searches(), searches(), searches("fx17")] == [1, 0, 1]
+    options.form = "scatter along s"
+    assert [searches(), searches()] == [1, 0]
+    program.write_text(program.read_text() + "# another\n")
+    status.write_text("1")
+    with pytest.raises(gappa.BoundsError, match="has failed"):
+        searches()
+    status.write_text("0")
+    assert [searches(), searches()] == [1, 0]
 
 
 def linear(bound=None):
