@@ -139,8 +139,8 @@ class Release:
             if not path.is_file():
                 return f"{command} ended with {status} and wrote no {report}.json: {where}"
             taken[name] = results.read(path)
-            if status and not taken[name].get("short"):
-                return f"{command} ended with {status}: {where}"
+        if status and not any(content.get("short") for content in taken.values()):
+            return f"{command} ended with {status}: {where}"
         for name, content in taken.items():
             whole_file.write(self.path(name), text_of({**self.stamp(), **content}))
         return ""

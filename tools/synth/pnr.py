@@ -60,7 +60,8 @@ def work(options, root):
     measures = {target: None if device.unknown else place.median(placement.Measure(target))
                 for target, device in placement.DEVICES.items()}
     whole_file.write(reports / "pnr.json", json.dumps(
-        {"multiplier_mhz": measures, "rows": rows}, indent=1) + "\n")
+        {"multiplier_mhz": measures, "rows": rows,
+         "short": [f"{subject.name}: {complaint}" for subject, complaint in failed.items()]}, indent=1) + "\n")
     whole_file.write(reports / "pnr.md", pnr_tables.document(Results(root)))
     synth_report.write(place.work, subjects, [], reports)
     print(pnr_tables.listed(None, rows).text())

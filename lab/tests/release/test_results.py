@@ -158,7 +158,9 @@ def test_an_interrupt_leaves_no_half_result(tree, measured):
 
 
 def test_aims_that_are_missed_are_results_too(tree, measured):
-    tree.put({"study.sh": STUDY.replace('{"rows"', '{"short": ["a"], "rows"') + "exit 1\n"})
+    """Also where one of the reports of a command says so."""
+    key = """'$([ $name = c ] && echo all || echo short)'"""
+    tree.put({"study.sh": STUDY.replace('{"rows"', f'{{"{key}": ["a"], "rows"') + "exit 1\n"})
     tree.commit()
     assert measured()[0] == 0
 
