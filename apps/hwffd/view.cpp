@@ -9,6 +9,7 @@
 #include "device_options.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
+#include "outputs.hpp"
 #include "stages.hpp"
 #include "view/show.hpp"
 
@@ -22,9 +23,11 @@ constexpr const char* kViewExamples = R"(Examples:
 The left button drags a control point in the plane of the screen, another button turns the view, the
 wheel zooms. S saves the lattice, R makes it what it was at the beginning, Esc closes the window.)";
 
+constexpr const char* kOutput = "lattice.json";
+
 struct ViewOptions {
   std::string input;
-  std::string output = "lattice.json";
+  std::string output;  ///< empty: kOutput, which must not be the lattice that was read
   std::string outside = "keep";
   DeviceChoice device;
 };
@@ -32,6 +35,8 @@ struct ViewOptions {
 int run(const ViewOptions& options, const StageOptions& stage_options) {
   const std::vector<StageText> texts = stage_options.texts();
   if (texts.size() != 1) throw UsageError("--lattice: view takes one lattice");
+  const std::string output = options.output.empty() ? kOutput : options.output;
+  if (options.output.empty()) check_not_read({"--output", output}, {texts.front().lattice});
   Mesh mesh = load_model(options.input);
   Stage stage = std::move(make_stages(texts, mesh.positions()).front());
   const std::unique_ptr<Device> device = make_device(options.device);
@@ -40,8 +45,8 @@ int run(const ViewOptions& options, const StageOptions& stage_options) {
   const auto save = [&](const Lattice& lattice) {
     try {
       file.lattice = lattice;
-      write_lattice(options.output, file);
-      fmt::print("wrote {}\n", options.output);
+      write_lattice(output, file);
+      fmt::print("wrote {}\n", output);
       std::fflush(stdout);
     } catch (const Error& error) {
       fmt::print(stderr, "hwffd: {}\n", error.what());
