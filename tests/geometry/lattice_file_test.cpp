@@ -32,7 +32,7 @@ TEST(LatticeFile, EveryBitComesBack) {
   const TempFolder folder;
   const Lattice lattice = crooked();
   write_lattice(folder / "crooked.json", lattice);
-  const Lattice back = read_lattice(folder / "crooked.json");
+  const Lattice back = read_lattice_file(folder / "crooked.json").lattice;
   EXPECT_EQ(back.dims(), lattice.dims());
   EXPECT_EQ(back.points(), lattice.points());
   EXPECT_EQ(folder.files(), (std::set<std::string>{"crooked.json"}));
@@ -228,14 +228,14 @@ TEST(LatticeFile, AnUnknownShapeIsAnsweredByThoseKnown) {
 
 TEST(LatticeFile, NamesTheFile) {
   const TempFolder folder;
-  EXPECT_ERROR(read_lattice(folder / "none.json"),
+  EXPECT_ERROR(read_lattice_file(folder / "none.json"),
                (folder / "none.json").string() +
                    ": cannot read; check that the file exists and is readable");
   const auto path = folder.write("bad.json", "{}");
   EXPECT_ERROR(
-      read_lattice(path),
+      read_lattice_file(path),
       path.string() + ": lattice file: no 'hwffd_lattice'; give the version of the format, 1");
-  EXPECT_ERROR_PART(read_lattice(folder / ""), "cannot read; check that the file exists");
+  EXPECT_ERROR_PART(read_lattice_file(folder / ""), "cannot read; check that the file exists");
   EXPECT_ERROR_PART(write_lattice(folder / "no/lattice.json", crooked()),
                     (folder / "no/lattice.json").string());
   EXPECT_EQ(folder.files(), (std::set<std::string>{"bad.json"}));
@@ -271,7 +271,7 @@ TEST(LatticeFile, NothingFollowsTheObject) {
 
 /// A file without an end is read no further than a lattice file may reach.
 TEST(LatticeFile, EndlessFile) {
-  EXPECT_ERROR(read_lattice("/dev/zero"),
+  EXPECT_ERROR(read_lattice_file("/dev/zero"),
                "/dev/zero: more than 16777216 bytes; is this the right file?");
 }
 
@@ -281,14 +281,14 @@ TEST(LatticeFile, UnreadableAndUnwritable) {
   std::filesystem::permissions(path, std::filesystem::perms(0));
   folder.open_to_all();
   // A file that opens, but whose first byte cannot be read.
-  EXPECT_ERROR_PART(read_lattice("/proc/self/mem"),
+  EXPECT_ERROR_PART(read_lattice_file("/proc/self/mem"),
                     "/proc/self/mem: cannot read; check that the file exists and is readable");
   std::filesystem::create_symlink("/dev/full", folder / "full.json");
   EXPECT_ERROR_PART(write_lattice(folder / "full.json", crooked()),
                     "full.json: cannot write: No space left on device");
   const Unprivileged nobody;
   if (!nobody.effective()) GTEST_SKIP() << "permissions do not hold for this user";
-  EXPECT_ERROR(read_lattice(path),
+  EXPECT_ERROR(read_lattice_file(path),
                path.string() + ": cannot read; check that the file exists and is readable");
   EXPECT_ERROR_PART(write_lattice(folder / "new.json", crooked()),
                     "new.json: cannot write: Permission denied");

@@ -168,7 +168,8 @@ TEST(Closure, PullBackIsTheTransposeOfRestore) {
       EXPECT_NEAR(closure.restore(torn).points().cwiseProduct(gradient).sum(),
                   torn.points().cwiseProduct(pulled).sum(), 1e-11)
           << name << " " << shape;
-      if (!closure.joined()) EXPECT_EQ(pulled, gradient) << name;
+      if (closure.joined()) continue;
+      EXPECT_EQ(pulled, gradient) << name;
     }
   }
 }

@@ -4,7 +4,7 @@
 
 namespace hwffd {
 
-Lattice read_lattice(const std::filesystem::path& path) {
+LatticeFile read_lattice_file(const std::filesystem::path& path) {
   throw Error("deformation to:" + path.string() +
               ": a page reads no file of that name; drop the lattice on it");
 }

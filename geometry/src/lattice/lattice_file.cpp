@@ -262,8 +262,6 @@ LatticeFile read_lattice_file(const std::filesystem::path& path,
   return file;
 }
 
-Lattice read_lattice(const std::filesystem::path& path) { return read_lattice_file(path).lattice; }
-
 std::string lattice_text(const LatticeFile& file) {
   const Index3& dims = file.lattice.dims();
   std::string text =

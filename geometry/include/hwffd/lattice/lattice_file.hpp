@@ -26,8 +26,6 @@ LatticeFile read_lattice_file(const std::filesystem::path& path);
 /// @throws Error as above, and for points an axis that whole_dims() refuses that family
 LatticeFile read_lattice_file(const std::filesystem::path& path,
                               const std::optional<Family>& wanted);
-/// Its lattice alone.
-Lattice read_lattice(const std::filesystem::path& path);
 
 /// @throws Error, one line that names the entry and the cure, for text that is not JSON, an entry
 ///   that is missing, unknown or of the wrong kind, and what lattices and shapes refuse
