@@ -18,11 +18,14 @@ from tools.tables import configurations, features, register_texts, registers, st
 # Packets by the feature that brings them, of rtl/stream/fields.csv; all cores take coefficients.
 _PACKETS = {"coefficients": None, "lattice": "resident", "vertices": "resident", "interleaved": "interleaved",
             "page": "pages", "points": "pages", "page_vertices": "pages", "grid": "grids", "spans": "spans"}
-_PAYLOADS = {"coefficients": "12 beats, or 24 with derivatives", "lattice": "a beat for each control point",
+_PAYLOADS = {"coefficients": "12 beats", "lattice": "a beat for each control point",
              "vertices": "a beat for each vertex", "interleaved": "49 beats for each vertex",
              "page": "a beat for each control point", "points": "a beat for each control point",
              "page_vertices": "a beat for each vertex", "grid": "3 beats",
-             "spans": "4 beats for each span, or 8 with derivatives"}
+             "spans": "4 beats for each span"}
+# What is added to a payload by what a core has besides.
+_BESIDES = {"coefficients": ("derivatives", ", or 24 with derivatives"), "spans": ("derivatives", ", or 8 with derivatives"),
+            "vertices": ("packed", ", or for two"), "page_vertices": ("packed", ", or for two")}
 _WORDS = {
     "float": ("binary32", "binary32", "binary32"),
     "block": ("binary32", "Q2.30 times 2^-k", "binary32, at most 2^exponent of the packet"),
@@ -68,7 +71,8 @@ def _packets(core):
     for name, feature in _PACKETS.items():
         if feature is None or feature in core.has:
             opcode, meaning = re.fullmatch(r"opcode (\d+): (.*)", described[name]).groups()
-            rows.append([opcode, meaning, _PAYLOADS[name]])
+            besides, text = _BESIDES.get(name, (None, ""))
+            rows.append([opcode, meaning, _PAYLOADS[name] + (text if besides in core.has else "")])
     return Table(["opcode", "packet", "payload"], rows).markdown()
 
 
@@ -80,38 +84,44 @@ def _results(core):
 
 
 def _events(core):
-    """Bits of event_o that can come."""
-    without = {"lattice_size": "resident", "page_points": "pages", "span_beyond": "spans", "no_fourth": "pages",
-               "grid_count": ("grids", "packed"), "page_overflowed": ()}
+    """Bits that can come: of event_o, or of ERROR_STATUS, which has those of the buses too."""
+    resident = "resident" in core.has
+    comes = {"no_lattice": resident, "lattice_size": resident, "cell_outside": resident, "page_points": "pages" in core.has,
+             "span_beyond": "spans" in core.has, "no_fourth": "fourth" in core.has,
+             "grid_count": "grids" in core.has or "packed" in core.has, "page_overflowed": False,
+             "coordinate_nan": core.number_format.words != "fixed", "saturated": core.number_format.words != "float",
+             "functions_sum": core.organization.of_form.completes and core.evaluator != "powers",
+             **{f"timeout_{channel}": core.parameters.get("BUS_TIMEOUT", 0) != 0 for channel in ("ar", "r", "aw", "w", "b")}}
     fields = [field for field in register_texts.events(registers.read())
-              if not field.name.startswith(("dma_", "timeout_", "result_"))]
-    rows = []
-    for bit, field in enumerate(fields):
-        wanted = without.get(field.name)
-        wanted = (wanted,) if isinstance(wanted, str) else wanted
-        if field.name == "functions_sum" and not core.organization.of_form.completes:
-            continue
-        if wanted is None or any(name in core.has for name in wanted):
-            rows.append([str(bit), field.description])
+              if core.has_registers or not field.name.startswith(("dma_", "timeout_", "result_"))]
+    rows = [[str(field.low if core.has_registers else bit), field.description]
+            for bit, field in enumerate(fields) if comes.get(field.name, True)]
     return Table(["bit", "event"], rows).markdown()
 
 
 def _clocks(core):
     """Sentences: clocks from a vertex to the next."""
-    own, n = core.organization, core.parameters["N"]
+    own, n, width = core.organization, core.parameters["N"], core.parameters.get("DATA_WIDTH", 128)
     start = 3 if core.evaluator == "iterative" else 1
     if core.schedule == "overlapped":
-        text = f"{own.formulas['overlapped'].value(n=n, start=start):g} clocks from a vertex to the next"
+        text = f"{_clocks_of(own.formulas['overlapped'].value(n=n, start=start))} from a vertex to the next"
         if own.walks:
             text += ", and one along a row, where only s changes and consecutive vertices lie in a cell or the next"
     else:
         fused = core.parameters["FMA_LATENCY"] > 0
         clocks = own.formulas["paper"].value(n=n, poly=3 if fused else 6, add=0 if fused else 1, start=start)
-        text = f"{clocks:g} clocks from a vertex to the next, with units of one clock"
+        text = f"{_clocks_of(clocks)} from a vertex to the next, with units of one clock"
     if "derivatives" in core.has:
-        text += ("; four at least with derivatives" if own.jacobian else
+        least = "three" if core.top == "hwffd_stream_bus" and width == 256 else "four"
+        text += (f"; {least} at least with derivatives" if own.jacobian else
                  f"; {'three' if own.walks else 'four'} times that with derivatives")
+    if width == 64:
+        text += "; and two at least for each 16 bytes in or out, on a bus of 64 bits"
     return text + "."
+
+
+def _clocks_of(number):
+    return "a clock" if number == 1 else f"{number:g} clocks"
 
 
 def _is_row(core, row):
@@ -153,8 +163,10 @@ def _memories(design):
     return Table(["memories", "bits of a word", "words", "read"], rows).markdown()
 
 
-def _latency(run):
+def _latency(core, run):
     """A sentence: what a run of the testbench said, or that it says it."""
+    if run is None and core.has_registers:
+        return "The testbench prints the clocks that all of its packets take; `--simulate` writes them here."
     if run is None:
         return ("The testbench prints the latency of a vertex by itself, in clocks from the beat that completes it to its "
                 "result; `--simulate` writes it here.")
@@ -168,7 +180,7 @@ def files(core, design, sample, version, target=None, here=None, run=None):
     words = dict(zip(("coordinate", "coefficient", "point"), _WORDS[core.number_format.words]))
     return {"README.md": templates.text(
         "datasheet.md", core=core, version=version, ports=_ports(design), packets=_packets(core),
-        results=_results(core), events=_events(core), clocks=_clocks(core), latency=_latency(run), size=_size(core, target, here), memories=_memories(design), words=words,
+        results=_results(core), events=_events(core), clocks=_clocks(core), latency=_latency(core, run), size=_size(core, target, here), memories=_memories(design), words=words,
         sample=sample, modules=len(design.modules)), "interface.md": _interface()}
 
 
