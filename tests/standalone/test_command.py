@@ -52,15 +52,26 @@ def made(tmp_path, capsys, monkeypatch):
     (("--org", "walk", "--format", "fx18"), 1, "no bit-true model of walk in fx18 with these units: it has fx17, fx32"),
     (("--org", "cg1", "--top", "hwffd_axi", "--set", "BUS_TIMEOUT=3"), 1, "BUS_TIMEOUT is 3: the memory of the testbench pauses"),
     (("--org", "cg1", "--set", "RESULT_WIDTH=256"), 1, "RESULT_WIDTH is 256: that is hwffd_stream inside hwffd_stream_bus"),
+    (("--org", "cg1", "--set", "BESIDE=1"), 1, "BESIDE is 1: that is hwffd_stream inside hwffd_adjoint; 0 wanted"),
     (("--org", "walker"), 1, "--org walker: unknown organization: one of basic, cg1"),
     (("--org", "cg2"), 1, "cg2 went with 0.3.0: take cg1"),
+    (("--set", "ORG=2"), 1, "ORG is 2: cg2 went with 0.3.0: take cg1"),
+    (("--set", "EVALUATOR=2"), 1, "EVALUATOR is 2: bspline went with 0.3.0: take pipelined"),
+    (("--evaluator", "bspline"), 2, "argument --evaluator: bspline went with 0.3.0: take pipelined"),
+    (("--mul-latency", "2147483648"), 1, "MUL_LATENCY is 2147483648: 32 at most wanted of a core by itself"),
+    (("--set", "WAITING=4294967296"), 1, "WAITING is 4294967296: 32768 at most wanted"),
     (("--org", "cg1", "--format", "fx40"), 1, "unknown format 'fx40': fp32, bfp32, or fx12 to fx32"),
     (("--row", "nothing"), 1, "no configuration named 'nothing'"),
     (("--org", "cg1", "--features", "resident+more"), 1, "unknown feature 'more'"),
     (("--org", "cg1", "--set", "MUL_LATENCY"), 1, "--set MUL_LATENCY: NAME=NUMBER wanted"),
     (("--org", "cg1", "--set", "COLOUR=1"), 1, "--set COLOUR=1: NAME=NUMBER wanted"),
-    (("--org", "cg1", "--prefix", "1st"), 1, "--prefix 1st: lower case letters"),
-    (("--org", "cg1", "--prefix", "module"), 1, "--prefix module: a word of Verilog or C++"),
+    (("--org", "cg1", "--prefix", "1st"), 1, "--prefix 1st: at most 41 lower case letters, digits"),
+    (("--org", "cg1", "--prefix", "a" * 42), 1, "at most 41 lower case letters"),
+    (("--org", "cg1", "--prefix", "two__lines"), 1, "digits and single _ between them wanted"),
+    (("--org", "cg1", "--prefix", "module"), 1, "--prefix module: a word of Verilog, VHDL or C++"),
+    (("--org", "cg1", "--prefix", "always_ff"), 1, "--prefix always_ff: a word of Verilog, VHDL or C++"),
+    (("--org", "cg1", "--prefix", "signal"), 1, "--prefix signal: a word of Verilog, VHDL or C++"),
+    ((*SMALL, "--prefix", "event_o"), 1, "--prefix event_o: a name within the core; take another one"),
     (("--org", "cg1", "--vertices", "0"), 1, "--vertices 0: 1 to 100000 wanted"),
     (("--org", "cg1", "--data-width", "64"), 1, "--data-width: hwffd_stream has none"),
     (("--org", "cg1", "--axis", "many"), 2, "argument --axis: 'many' is no number"),
@@ -103,6 +114,39 @@ def test_the_folder_has_what_it_says(made, tmp_path):
     assert "| 3 | vertices of the lattice | a beat for each vertex |" in sheet and "opcode 4" not in sheet
     assert "64 clocks from a vertex to the next" in sheet and "No release has mapped this configuration." in sheet
     assert len(sheet.splitlines()) <= 125  # two pages
+
+
+@pytest.mark.parametrize("folder_name, prefix", [("round", "round"), ("my--ffd_", "my_ffd"), ("commands", "commands")])
+def test_names_that_others_have_too(made, tmp_path, folder_name, prefix):
+    """A function of C, names that Verilator has for itself, and what the testbench has."""
+    assert made(*SMALL, "-o", folder_name)[0] == 0
+    path = tmp_path / folder_name
+    (path / "main.cpp").write_text(f'#define {prefix.upper()}_MODEL_IMPLEMENTATION\n#include "{prefix}_model.hpp"\n')
+    assert bench.run("g++", "-std=c++17", "-Wall", "-Wextra", "-fsyntax-only", "main.cpp", cwd=path) == (0, "")
+    assert bench.run("verilator_bin", "--lint-only", "--timing", "-Wall", "--top-module", f"{prefix}_tb", f"{prefix}.v",
+                     f"{prefix}_tb.v", cwd=path) == (0, "")
+
+
+@pytest.mark.parametrize("top, words, listed", [
+    ("hwffd_stream", ("--features", "resident"), "0 1 2 3 4 5 6 8 9"),
+    ("hwffd_stream", ("--features", "interleaved"), "0 1 2 3 8 9"),
+    ("hwffd_stream", ("--format", "fp32", "--features", "resident+pages"), "0 1 2 3 4 5 6 7 8 10"),
+    ("hwffd_stream_bus", ("--org", "affine/3", "--features", "resident+pages+fourth"), "0 1 2 3 4 5 6 8 9 10 12 14"),
+    ("hwffd_stream_bus", ("--row", "affine3-fx17-overlapped-powers", "--features", "resident+packed"),
+     "0 1 2 3 4 5 6 8 9 13"),
+    ("hwffd_axi", ("--features", "resident+grids", "--set", "BUS_TIMEOUT=0"),
+     "0 1 2 3 4 5 6 8 9 10 11 12 13 14 15 16 17 18 27"),
+])
+def test_the_data_sheet_is_of_this_core(made, tmp_path, top, words, listed):
+    assert made("--top", top, "--axis", "4", *words, "--vertices", "1", "-o", "core")[0] == 0
+    sheet = (tmp_path / "core" / "README.md").read_text()
+    assert set(re.findall(r"`([\w.]+\.(?:v|hex|hpp|h|md|sdc|xdc)|LICENSE)`", sheet)) == {
+        name for name in os.listdir(tmp_path / "core") if name != "README.md"}
+    before, events = sheet.split("What is wrong ")
+    assert events.startswith("sets a bit of the register `ERROR_STATUS`:" if top == "hwffd_axi" else
+                             "is a pulse of a bit of `event_o`:")
+    assert " ".join(re.findall(r"^\| (\d+) \| [A-Z]", events.split("\n## ")[0], re.MULTILINE)) == listed
+    assert ("A lattice has 4 points an axis" in before) == ("| 2 | a whole lattice |" in before)
 
 
 @pytest.mark.parametrize("words, multipliers, has", [

@@ -21,12 +21,12 @@ CHECK = """#define {guard}_MODEL_IMPLEMENTATION
 #include <fstream>
 #include <string>
 
-std::vector<{prefix}::Beat> read(const char* name) {{
+std::vector<{prefix}_model::Beat> read(const char* name) {{
   std::ifstream file(name);
   std::string line;
-  std::vector<{prefix}::Beat> beats;
+  std::vector<{prefix}_model::Beat> beats;
   while (file >> line) {{
-    {prefix}::Beat beat;
+    {prefix}_model::Beat beat;
     const int flags = std::stoi(line.substr(0, 1), nullptr, 16);
     beat.last = (flags & 1) != 0;
     beat.user = (flags & 2) != 0;
@@ -39,7 +39,7 @@ std::vector<{prefix}::Beat> read(const char* name) {{
 }}
 
 int main() {{
-  {prefix}::Model model;
+  {prefix}_model::Model model;
   const auto got = model.run(read("commands.hex"));
   const auto wanted = read("results.hex");
   std::printf("%zu of %zu, %s\\n", got.size(), wanted.size(), got == wanted ? "equal" : "not equal");

@@ -11,8 +11,10 @@ import sys
 
 from tools import command_line
 from tools.csv_table import TableError
-from tools.standalone import configuration, folder, mapping, simulation
-from tools.tables import configurations, features
+from tools.standalone import configuration, folder, mapping, reserved, simulation
+from tools.tables import configurations, features, gone
+
+MOST_LETTERS = 41  # of the prefix
 
 _EXAMPLES = """examples:
   hwffd core --org walk --format fx17 -o my_ffd
@@ -21,25 +23,17 @@ _EXAMPLES = """examples:
 """
 
 
-# Of these languages, as far as a folder may be called so.
-_WORDS = frozenset("""
-    always and assign begin bit buf byte case cell checker class config const cover deassign default design disable do
-    edge else end enum event export extends final for force forever fork function generate genvar global if ifdef import
-    initial inout input inside instance int integer interface join let library local logic longint macromodule matches
-    medium module nand negedge new nmos nor not null or output package parameter pmos posedge primitive priority program
-    property protected pull0 pull1 pulldown pullup pure rand randc real realtime ref reg release repeat restrict return
-    scalared sequence shortint signed small solve specify static string strong struct super supply0 supply1 table tagged
-    task this time tri type typedef union unique unsigned use var vectored virtual void wait wand weak while wire with
-    within wor xnor xor alignas asm auto bool break catch char concept continue delete double explicit false float
-    friend goto inline long mutable namespace operator private protected public register short sizeof std switch
-    template throw true try typename using volatile
-""".split())
-
-
 def _number(text):
     if not re.fullmatch("[0-9]{1,10}", text):
         raise argparse.ArgumentTypeError(f"'{text}' is no number")
     return int(text)
+
+
+def _evaluator(text):
+    for one in gone.read():
+        if (one.kind, one.name) == ("evaluator", text):
+            raise argparse.ArgumentTypeError(str(one))
+    return text
 
 
 class _Parser(argparse.ArgumentParser):
@@ -62,7 +56,7 @@ def parser(prog):
         "overlapped row)")
     add("--n", type=_number, help="control points taken in one clock, where the organization has a choice")
     add("--schedule", choices=configurations.SCHEDULES)
-    add("--evaluator", choices=configurations.EVALUATORS)
+    add("--evaluator", type=_evaluator, choices=configurations.EVALUATORS)
     for name in ("mul", "add", "fma", "convert"):
         add(f"--{name}-latency", type=_number, metavar="CLOCKS")
     add("--features", metavar="NAMES", help=f"what is built, + between: some of {', '.join(features.BITS)} "
@@ -79,22 +73,24 @@ def parser(prog):
 
 
 def _prefix(options):
-    """A name that Verilog and C++ can have. Raises Refused."""
-    name = options.prefix or re.sub(r"\W", "_", pathlib.Path(options.output).resolve().name)
-    if not re.fullmatch("[a-z][a-z0-9_]{0,40}", name) or name.startswith("error_"):
-        raise configuration.Refused(f"--prefix {name}: lower case letters, digits and _, a letter first, wanted")
-    if name in _WORDS:
-        raise configuration.Refused(f"--prefix {name}: a word of Verilog or C++; take another one")
+    """A name that modules can have. Raises Refused."""
+    name = options.prefix or re.sub(r"[\W_]+", "_", pathlib.Path(options.output).resolve().name).strip("_")
+    # Verilator keeps two _ in a row, which an end in one would make, for itself.
+    if not re.fullmatch("[a-z](_?[a-z0-9])*", name) or len(name) > MOST_LETTERS or name.startswith("error_"):
+        raise configuration.Refused(f"--prefix {name}: at most {MOST_LETTERS} lower case letters, digits and single _ between "
+                                    "them wanted, a letter first and not error_")
+    if name in reserved.WORDS:
+        raise configuration.Refused(f"--prefix {name}: a word of Verilog, VHDL or C++; take another one")
     return name
 
 
 def run(words, prog):
     options = parser(prog).parse_args(words)
+    folder.check(options.output)
     options.prefix = _prefix(options)
     options.command_line = " ".join(shlex.join(["hwffd", "core", *words]).split())  # a line, whatever the folder
     if not 1 <= options.vertices <= 100_000:
         raise configuration.Refused(f"--vertices {options.vertices}: 1 to 100000 wanted")
-    folder.check(options.output)
     mapping.check(options.map)
     simulation.check(options.simulate)
     core = configuration.core(options)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from tools.csv_table import TableError
 from tools.rtl import module_header, rtl_sources
 from tools.standalone import elaboration
-from tools.tables import configurations, features, formats, organizations, parameter_space, register_texts
+from tools.tables import configurations, features, formats, gone, organizations, parameter_space, register_texts
 
 TOPS = ("hwffd_stream", "hwffd_stream_bus", "hwffd_axi", "hwffd_wishbone")
 DEFAULT_ORG, DEFAULT_FORMAT, DEFAULT_FEATURES = "cg1", "fx18", "resident+interleaved"
@@ -22,6 +22,8 @@ ROW_OPTIONS = {"n": "N", "schedule": "SCHEDULE", "evaluator": "EVALUATOR", "mul_
 # Parameters that change no bit of a result, and the values within which they stay free.
 LATENCIES = ("MUL_LATENCY", "ADD_LATENCY", "FMA_LATENCY", "CONVERT_LATENCY")
 MOST_LATENCY = 8
+# What is in no core, and what no testbench would wait for.
+MOST = {**dict.fromkeys(LATENCIES, 32), **dict.fromkeys(("IN_FLIGHT", "WAITING", "READ_DEPTH", "WRITE_DEPTH"), 1 << 15)}
 LEAST_TIMEOUT = 1024  # clocks: a memory may pause, and that of the testbench does
 FREE = {
     **{name: range(MOST_LATENCY + 1) for name in LATENCIES},
@@ -158,6 +160,8 @@ def _latencies(space, top, parameters):
     names = [name for name in LATENCIES if name != "FMA_LATENCY" or parameters[name] > 0]
 
     def alone(name, most):
+        if parameters[name] > MOST_LATENCY:
+            return [parameters[name]]
         lowest = 1 if name == "FMA_LATENCY" else 0
         legal = [value for value in range(lowest, most + 1)
                  if not space.faults(top, {**parameters, name: value})]
@@ -168,7 +172,7 @@ def _latencies(space, top, parameters):
         corners = itertools.product(*({values[0], parameters[name], values[-1]} for name, values in legal.items()))
         if all(not space.faults(top, {**parameters, **dict(zip(names, corner))}) for corner in corners):
             return {name: Free(name, range(values[0], values[-1] + 1))
-                    for name, values in legal.items() if len(values) > 1 and parameters[name] <= MOST_LATENCY}
+                    for name, values in legal.items() if len(values) > 1}
     return {}
 
 
@@ -207,6 +211,9 @@ def core(options):
                 raise Refused(f"--{name.replace('_', '-')}: {options.top} has none")
             parameters[name.upper()] = getattr(options, name)
     parameters.update(_settings(options, defaults))
+    for name, most in MOST.items():
+        if parameters.get(name, 0) > most:
+            raise Refused(f"{name} is {parameters[name]}: {most} at most wanted of a core by itself")
     for name in features.followed(options.features or ""):
         if not features.has(parameters, name):
             raise Refused(f"--features {options.features}: {name} needs {register_texts.condition(name)}")
@@ -223,6 +230,9 @@ def value_of(option, text):
 
 def refuse_faults(space, top, parameters):
     """Raises Refused, with the guard of the RTL, where a configuration cannot be."""
+    for one in gone.read():
+        if parameters[one.kind.upper()] == one.number:
+            raise Refused(f"{one.kind.upper()} is {one.number}: {one}")
     for fault in space.faults(top, parameters):
         if isinstance(fault, parameter_space.Rule):
             values = ", ".join(f"{name} is {parameters[name]}" for name in fault.names)
@@ -241,6 +251,8 @@ def of_parameters(space, top, prefix, parameters, command=""):
     if 0 < parameters.get("BUS_TIMEOUT", 0) < LEAST_TIMEOUT:
         raise Refused(f"BUS_TIMEOUT is {parameters['BUS_TIMEOUT']}: the memory of the testbench pauses for longer; "
                       f"0, or {LEAST_TIMEOUT} or more wanted")
+    if parameters.get("BESIDE"):
+        raise Refused(f"BESIDE is {parameters['BESIDE']}: that is hwffd_stream inside hwffd_adjoint; 0 wanted")
     if parameters.get("RESULT_WIDTH", 128) != 128:
         raise Refused(f"RESULT_WIDTH is {parameters['RESULT_WIDTH']}: that is hwffd_stream inside hwffd_stream_bus; "
                       "--top hwffd_stream_bus --data-width 256 wanted")

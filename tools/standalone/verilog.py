@@ -13,6 +13,7 @@ from pyslang.parsing import TriviaKind
 from pyslang.syntax import SyntaxKind
 
 from tools.standalone import elaboration
+from tools.standalone.configuration import Refused
 
 WIDTH = 100
 # Where a long line is broken first: in front of an operator, or behind a comma.
@@ -311,8 +312,14 @@ def _header(path):
     return "".join(lines)
 
 
+def _refuse_hidden(prefix, body):
+    """Raises Refused where something in the top is called as the top, which Verilator does not take."""
+    if re.findall(r"\w+", _COMMENT.sub("", body)).count(prefix) > 1:
+        raise Refused(f"--prefix {prefix}: a name within the core; take another one")
+
+
 def text(core, design, version):
-    """The file."""
+    """The file. Raises Refused."""
     names = new_names(design.modules, core.top, core.prefix)
     renamed = _Renaming(names)
     free = "\n".join(f"//   {name:<16} {of.text}" for name, of in core.free.items())
@@ -340,6 +347,8 @@ def text(core, design, version):
         node = next(member for member in _modules(tree) if member.header.name.valueText == name)
         writer = (_TopWriter(design, name, renamed, core) if name == core.top else _Writer(design, name, renamed))
         body = writer.module(node)
+        if name == core.top:
+            _refuse_hidden(core.prefix, body)
         body = body[re.match(r"\s*(//[^\n]*\n\s*)*", body).end():] if not body.startswith("module") else body
         pieces.append(renamed(_header(design.files[name])) + "\n" + _tidy(body))
     return "\n".join(pieces) + "\n/* verilator lint_on TIMESCALEMOD */\n/* verilator lint_on DECLFILENAME */\n`default_nettype wire\n"
