@@ -88,11 +88,19 @@ def test_a_folder_that_cannot_be_written_is_one_line(made, tmp_path):
     (tmp_path / "full").mkdir()
     (tmp_path / "full" / "file").touch()
     (tmp_path / "file").touch()
-    for path, complaint in (("full", "the folder is not empty"), ("file", "is there, and no folder"),
+    for path, complaint in ((os.fsdecode(b"no\xff"), "its name is not in UTF-8"), ("full", "the folder is not empty"), ("file", "is there, and no folder"),
                             ("no/core", "there is no folder")):
         status, out, errors = made(*SMALL, "-o", path)
         assert (status, out) == (1, "") and complaint in errors and errors.count("\n") == 1
     assert sorted(os.listdir(tmp_path)) == ["file", "full"] and os.listdir(tmp_path / "full") == ["file"]
+
+
+def test_a_link_to_a_folder_stays_one(made, tmp_path):
+    (tmp_path / "empty").mkdir()
+    (tmp_path / "link").symlink_to("empty")
+    assert made(*SMALL, "--prefix", "core", "-o", "link")[0] == 0
+    assert (tmp_path / "link").is_symlink() and (tmp_path / "empty" / "core.v").is_file()
+    assert sorted(os.listdir(tmp_path)) == ["empty", "link"]
 
 
 def test_nothing_is_left_of_a_folder_that_fails(tmp_path, monkeypatch):
@@ -181,6 +189,15 @@ def test_a_word_that_is_wrong_is_seen(little, monkeypatch, tmp_path):
     results.write_text("\n".join(lines) + "\n")
     status, output = little.simulated()
     assert status == 1 and "FAIL result 11 of 20" in output
+
+
+@pytest.mark.parametrize("top, words", [("hwffd_stream", "commands"), ("hwffd_axi", "memory")])
+def test_a_file_that_is_not_where_the_testbench_runs_is_seen(made, tmp_path, top, words):
+    assert made(*SMALL, "--top", top, "-o", "core")[0] == 0
+    files = [tmp_path / "core" / f"core{ending}.v" for ending in ("", "_tb")]
+    assert bench.run("iverilog", "-g2005", "-o", "tb", *files, cwd=tmp_path) == (0, "")
+    status, output = bench.run("vvp", "-N", "tb", cwd=tmp_path)
+    assert status == 1 and f"FAIL core_{words}.hex and core_results.hex must be in the folder where this runs" in output
 
 
 def test_two_cores_are_in_one_design(little, tmp_path):

@@ -45,11 +45,15 @@ def _text_of(name):
 def check(path):
     """Raises Refused where a folder cannot be written there: before there is work to lose."""
     path = pathlib.Path(path)
+    try:
+        str(path).encode("utf-8")
+    except UnicodeEncodeError as error:
+        raise Refused(f"{str(path)!a}: its name is not in UTF-8, as the files are; name another one") from error
     if path.is_dir() and any(path.iterdir()):
         raise Refused(f"{path}: the folder is not empty; name another one")
     if path.exists() and not path.is_dir():
         raise Refused(f"{path}: is there, and no folder; name another one")
-    parent = path.absolute().parent
+    parent = path.resolve().parent
     if not parent.is_dir():
         raise Refused(f"{path}: there is no folder {parent}")
     if not os.access(parent, os.W_OK):
@@ -57,14 +61,17 @@ def check(path):
 
 
 def write(path, texts):
-    """The folder with these files; where it fails there is none."""
-    path = pathlib.Path(path)
-    draft = pathlib.Path(tempfile.mkdtemp(prefix=f".{path.name}.", dir=path.absolute().parent))
+    """The folder with these files; where it fails there is none. Raises Refused. Of a link it is what the link names."""
+    path = pathlib.Path(path).resolve()
+    draft = pathlib.Path(tempfile.mkdtemp(prefix=f".{path.name}.", dir=path.parent))
     try:
         for name, text in texts.items():
             (draft / name).write_text(text, encoding="utf-8")
         draft.chmod(0o777 & ~_umask())
         os.replace(draft, path)  # a folder that is empty gives way
+    except OSError:
+        check(path)  # another run may have been faster
+        raise
     finally:
         shutil.rmtree(draft, ignore_errors=True)
 

@@ -236,6 +236,10 @@ module {{ core.prefix }}_tb;
   initial begin
     $readmemh("{{ core.prefix }}_memory.hex", memory, 0, IMAGE - 1);
     $readmemh("{{ core.prefix }}_results.hex", expected);
+    if (^memory[0] === 1'bx || ^expected[0] === 1'bx) begin
+      $display("FAIL {{ core.prefix }}_memory.hex and {{ core.prefix }}_results.hex must be in the folder where this runs");
+      $stop;
+    end
     aresetn       = 1'b0;
     got           = 128'd0;
     value         = 32'd0;

@@ -85,8 +85,8 @@ module {{ core.prefix }}_tb;
   // For half of the time each stream is without pauses.
   wire offers = sent < FIRST || (alone_q && (shifted[1:0] != 2'd0 || clocks[9]));
   wire takes  = !alone_q || shifted[9:8] != 2'd1 || clocks[8];
-  wire in     = s_valid && s_ready;
-  wire out    = m_valid && m_ready;
+  wire in     = (s_valid && s_ready) === 1'b1;
+  wire out    = (m_valid && m_ready) === 1'b1;
   wire [{{ width + 3 }}:0] wanted = expected[checked < RESULTS ? checked : 0];
   wire unused_ok = &{1'b0, events, event_packet, event_beat, waits, upset, second[1], wanted[{{ width + 3 }}:{{ width }}]};
   wire same   = m_last === wanted[{{ width }}] && m_user === wanted[{{ width + 1 }}] &&
@@ -95,6 +95,10 @@ module {{ core.prefix }}_tb;
   initial begin
     $readmemh("{{ core.prefix }}_commands.hex", commands);
     $readmemh("{{ core.prefix }}_results.hex", expected);
+    if (^commands[0] === 1'bx || ^expected[0] === 1'bx) begin
+      $display("FAIL {{ core.prefix }}_commands.hex and {{ core.prefix }}_results.hex must be in the folder where this runs");
+      $stop;
+    end
     aresetn  = 1'b0;
     s_valid  = 1'b0;
     s_data   = {{ zeros }};
