@@ -195,6 +195,7 @@ module ffd_scatter_decoder #(
 
   // With ROWS the vertex of a grid is in the clock of its gradient. A row ends with its last
   // vertex or with its packet; others are rows by themselves. Who is inside is known a clock later.
+  wire adds;
   wire made_last;
   wire walk     = ROWS != 0 && made;
   wire row_last = !walk || made_last || last;
@@ -213,7 +214,6 @@ module ffd_scatter_decoder #(
   wire               collect_inside;
   wire               change;
   wire               mark;
-  wire               adds;
   wire               overflowed;
   wire               collecting;
   ffd_scatter_pages #(

@@ -104,6 +104,7 @@ module ffd_scatter_framer #(
   reg        twice_q;
   wire       functions_top = function_q == 2'd3;
   wire       axes_top      = axis_q[1];  // 0, 1 or 2
+  wire       axis          = valid && in_axes;
   wire       counts_axes   = (of_function && functions_top) || axis;
   assign top_o   = functions_top && axes_top && derivative_q == twice_q;
   assign index_o = {3'd0, derivative_q, 2'd0, axis_q, 2'd0, function_q};
@@ -120,7 +121,6 @@ module ffd_scatter_framer #(
 
   // ---- axes of a grid: the last one stays until they are checked
 
-  wire axis  = valid && in_axes;
   wire third = valid && in_third;
   wire known = third && grid_checked_i;
   reg  third_q;

@@ -96,7 +96,8 @@ module hwffd_stream #(
   // and `cg` holds two more; one drains, one loads.
   localparam ACCUMULATE   = !`FFD_ORG_IN_TURN(ORG) ? 1
                           : FMA_LATENCY > ADD_LATENCY ? FMA_LATENCY : ADD_LATENCY;
-  localparam SLOTS        = ACCUMULATE + 4;
+  // Where no vertex brings its points nothing is in a slot, and 16 are enough.
+  localparam SLOTS        = INTERLEAVED == 0 && ACCUMULATE > 12 ? 16 : ACCUMULATE + 4;
   localparam SLOT_W       = $clog2(SLOTS);
   // What is built, as the modules within take it.
   localparam FEATURES     = `FFD_FEATURES_NAMED;

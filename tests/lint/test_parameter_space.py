@@ -131,3 +131,13 @@ def test_both_kinds_are_tried():
     refused = sum(guard is not None for _, _, _, guard in CASES)
     few_refused, few_legal = (80, 60) if SHARE == 1 else (0, 0)
     assert refused > few_refused and len(CASES) - refused > few_legal
+
+
+@pytest.mark.parametrize("more", ({}, {"PAGED": 1, "PAGES": 1}, {"PAGED": 1, "AXIS": 8, "PAGES": 3}))
+@pytest.mark.parametrize("latency", (12, 13, 32))
+def test_lattices_alone_take_any_latency(latency, more):
+    """Nothing of a vertex is kept by slots then, of which there would be more than places of a small lattice."""
+    alone = {**module_header.parameters(SOURCES, "hwffd_stream"), "INTERLEAVED": 0, "AXIS": 4, "ORG": 1, "N": 1,
+             "ADD_LATENCY": latency, **more}
+    assert not [fault.guard for fault in SPACE.faults("hwffd_stream", alone)]
+    assert guards("hwffd_stream", alone) == []
