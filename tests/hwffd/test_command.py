@@ -456,6 +456,12 @@ class Command(CommandTest):
         self.good("deform", "solid.obj", "--lattice", "again.json", "-o", "a.obj")
         self.assertEqual(*(vertices(self.text(f"{n}.obj")) for n in "ab"))
 
+    def test_a_view_saves_over_no_lattice_that_it_read(self):
+        self.good("lattice", "-o", "lattice.json")
+        refused = self.call("view", "solid.obj", "--lattice", "lattice.json")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("--output lattice.json: is read from; name another file", refused.stderr)
+
     def test_a_check_is_of_the_family_that_a_file_names(self):
         self.good("lattice", "--family", "bernstein", "--dims", "4x4x4", "--region", "0,0,0,1,1,1", "-o", "cell.json")
         self.good("check", "cell.json", "--json", "check.json")
