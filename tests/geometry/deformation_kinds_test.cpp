@@ -1,4 +1,5 @@
 // Deformations of every kind on lattices of every shape.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -300,10 +301,10 @@ TEST_P(DeformationKindsOf, ToTakesPointsOfTheSameFamily) {
       EXPECT_EQ(moved("to:" + file, rest).points(), moved("bend:40", rest).points());
       continue;
     }
-    EXPECT_ERROR(moved("to:" + file, rest), "deformation to:" + file +
-                                                ": its points are of the family " + name +
-                                                ", and the lattice that moves there is of " +
-                                                GetParam() + "; give both the same family");
+    EXPECT_ERROR(moved("to:" + file, rest),
+                 fmt::format("deformation to:{}: its points are of the family {}, and the lattice "
+                             "that moves there is of {}; give both the same family",
+                             file, name, GetParam()));
   }
 }
 
