@@ -144,6 +144,15 @@ bool same_order(const Mesh& read, const Mesh& written) {
   return true;
 }
 
+/// Whether rounding to binary32 moves a vertex by more than a millionth of the mesh's size.
+bool loses_digits(const Mesh& read, const Mesh& written) {
+  const Points& points = read.positions();
+  if (read.is_single() || !written.is_single() || points.rows() == 0) return false;
+  const double size = (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
+  const Points rounded = points.cast<float>().cast<double>();
+  return (points - rounded).cwiseAbs().maxCoeff() > 1e-6 * size;
+}
+
 }  // namespace
 
 std::vector<std::string> Mesh::lost_in(const Mesh& written) const {
@@ -151,6 +160,7 @@ std::vector<std::string> Mesh::lost_in(const Mesh& written) const {
   if (is_numbered_ && !(written.is_numbered_ && same_order(*this, written))) {
     losses.emplace_back("order of vertices");
   }
+  if (loses_digits(*this, written)) losses.emplace_back("digits of coordinates");
   const std::set<Feature> here = features_of(scene());
   const std::set<Feature> there = features_of(written.scene());
   for (const Loss& loss : kLosses) {
