@@ -5,8 +5,8 @@
     python3 -m lab.soak [--build FOLDER] --join FILE ... [--corpus FILE]
 
 Runs tests that take their traffic from a seed (traffic.csv), one seed after the other, each with all
-kinds, to the end of the seed in which the time is over; first the seeds of the corpus, those that once
-found a fault. A seed that finds one is added to the corpus. The seeds go on where the last run ended,
+kinds, to the end of the seed in which the time is over, or of several where the kinds are fewer than the
+jobs; first the seeds of the corpus, those that once found a fault. A seed that finds one is added to the corpus. The seeds go on where the last run ended,
 build/soak/next.json, and a soak that was interrupted goes on with the hours and counts that it had.
 Writes FOLDER/reports/soak.json. The exit status is 1 where a test failed or nothing was run. A part is a
 seed with all kinds, run anywhere; joined, parts are the report, and faults come into the corpus.
@@ -16,6 +16,7 @@ SPDX-License-Identifier: Apache-2.0
 
 import argparse
 import dataclasses
+import math
 import pathlib
 import sys
 import time
@@ -60,9 +61,10 @@ def soak(options, kinds, corpus, sums):
         run(options, [Round(kinds[saved.traffic], saved.seed) for saved in corpus.seeds if saved.traffic in kinds],
             sums, corpus.add)
     while hours + hours_since(start) < options.hours:
-        seed = seeds.following(options.build)
-        run(options, [Round(kind, seed) for kind in kinds.values()], sums, corpus.add)
-        seeds.had(options.build, seed)
+        first = seeds.following(options.build)
+        several = [first + seeds.STRIDE * turn for turn in range(math.ceil(options.jobs / len(kinds)))]
+        run(options, [Round(kind, seed) for seed in several for kind in kinds.values()], sums, corpus.add)
+        seeds.had(options.build, several[-1])
         interrupted.write(hours + hours_since(start), list(sums.rows.values()))
     interrupted.end()
     return round(hours + hours_since(start), 3)

@@ -73,20 +73,28 @@ def test_an_interrupted_soak_goes_on_with_what_it_had(build):
     program(build)
     with subprocess.Popen([sys.executable, "-B", "-m", "lab.soak", "--build", build, "--output", build, "--only", "dma",
                            "--corpus", build / "corpus.csv", "--hours", "1"]) as process:
-        kept = build / "soak" / "interrupted.json"
-        while not kept.exists() or json.loads(kept.read_text())["rows"][0]["seeds"] < 3:
+        while not (kept := list((build / "soak").glob("interrupted-*.json"))) or json.loads(
+                kept[0].read_text())["rows"][0]["seeds"] < 3:
             assert process.poll() is None
         process.kill()
+    kept, = kept
     had, = json.loads(kept.read_text())["rows"]
     result, report = soak(build, 0.0000001)  # less than it had: no further seed
     assert result.returncode == 0 and report["rows"] == [had] and not kept.exists()
     assert json.loads((build / "soak" / "next.json").read_text()) in (1000 + 16 * had["seeds"], 1016 + 16 * had["seeds"])
 
 
+def test_one_kind_takes_several_seeds_side_by_side(build):
+    program(build)
+    result, report = call(build, "--hours", 0.00001, "--jobs", 3)
+    assert result.returncode == 0 and report["rows"][0]["seeds"] == 3
+    assert json.loads((build / "soak" / "next.json").read_text()) == 1048
+
+
 def test_what_another_program_counted_is_not_taken_over(build):
     program(build)
     (build / "soak").mkdir()
-    (build / "soak" / "interrupted.json").write_text('{"key": "other", "hours": 7.0, "rows": [{"traffic": "dma", "seeds": 9}]}')
+    (build / "soak" / "interrupted-other.json").write_text('{"hours": 7.0, "rows": [{"traffic": "dma", "seeds": 9}]}')
     result, report = soak(build, 0.00001)
     assert result.returncode == 0 and report["hours"] < 1 and report["rows"][0]["seeds"] == 1
 
