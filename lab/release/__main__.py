@@ -2,9 +2,10 @@
 
     python3 -m lab.release [--root FOLDER] [--studies FILE] [--only NAME,...]
 
-What a study has measured goes to build/results/COMMIT/NAME.json as soon as its command has ended; what is there is not
-measured again; --only measures some of them now. When the last has ended all go to docs/results/VERSION/. The exit status is 1 where a study fails or its
-report is not whole, 2 where the request makes no sense.
+What a study has measured goes to docs/results/VERSION/NAME.json as soon as its command has ended; what is there is not
+measured again; --only measures some of them now. Commits that add nothing but results are the tree that is measured, so
+what is there can be committed, and the rest be measured another day or elsewhere. With the last, release.json says that
+they are whole. The exit status is 1 where a study fails or its report is not whole, 2 where the request makes no sense.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -85,15 +86,14 @@ class Release:
     def __init__(self, root, studies):
         self.root, self.studies = root, studies
         self.names = [name for rows in studies.values() for name, _ in rows]
-        self.commit = clean_tree.commit(root)
+        self.commit = self.at_hand()
         self.version = str(version.read(root))
-        self.folder = root / "build" / "results" / self.commit[:12]
-        self.target = root / results.RELEASED / self.version
+        self.folder = root / results.RELEASED / self.version
         self.known = {}
-        if self.target.exists():
-            of = results.read(self.target / results.RELEASE).get("commit", "several commits")
-            raise command_line.Request(f"{results.RELEASED}/{self.version} is there, of {of[:12]}; results of two commits are not "
-                                       "mixed: raise VERSION, or remove that folder")
+
+    def at_hand(self):
+        """The commit that is measured."""
+        return clean_tree.commit(self.root, beside=results.RELEASED)
 
     def path(self, name):
         return self.folder / f"{name}.json"
@@ -104,8 +104,9 @@ class Release:
             return False
         of = results.read(self.path(name)).get("commit")
         if of != self.commit:
-            raise command_line.Request(f"{self.path(name).relative_to(self.root)} is of commit {str(of)[:12]}, not {self.commit[:12]}: "
-                                       "remove it")
+            raise command_line.Request(
+                f"{self.path(name).relative_to(self.root)} is of commit {str(of)[:12]}, not {self.commit[:12]}; results of two "
+                "commits are not mixed: raise VERSION, or remove that folder")
         return True
 
     def stamp(self):
@@ -119,7 +120,7 @@ class Release:
         fresh = self.root / results.FRESH
         for _, report in reports:
             (fresh / f"{report}.json").unlink(missing_ok=True)
-        log = self.folder / f"{reports[0][0]}.log"
+        log = self.root / "build" / "results" / f"{reports[0][0]}.log"
         log.parent.mkdir(parents=True, exist_ok=True)
         environment = {name: value for name, value in os.environ.items() if not name.startswith(OF_MAKE)}
         with log.open("w", encoding="utf-8") as file, subprocess.Popen(
@@ -130,7 +131,7 @@ class Release:
             except BaseException:
                 os.killpg(process.pid, signal.SIGTERM)
                 raise
-        if clean_tree.commit(self.root) != self.commit:
+        if self.at_hand() != self.commit:
             raise command_line.Request(f"another commit is checked out since {command} began: its results are not taken")
         where = f"see {log.relative_to(self.root)}"
         taken = {}
@@ -154,16 +155,10 @@ class Release:
         return f"{name}.json lacks {absent}" if absent else ""
 
     def publish(self):
-        """All of them to docs/results/VERSION, whole or not at all."""
-        draft = self.target.with_name(f".{self.target.name}.draft")
-        shutil.rmtree(draft, ignore_errors=True)
-        draft.mkdir(parents=True)
-        for name in self.names:
-            shutil.copyfile(self.path(name), draft / f"{name}.json")
+        """Says that they are whole."""
         studies = {name: {"command": command} for command, rows in self.studies.items() for name, _ in rows}
-        (draft / results.RELEASE).write_text(json.dumps({**self.stamp(), "mixed": False, "studies": studies}, indent=1) + "\n",
-                                             encoding="utf-8")
-        os.replace(draft, self.target)
+        whole_file.write(self.folder / results.RELEASE, json.dumps(
+            {"version": self.version, "commit": self.commit, "mixed": False, "studies": studies}, indent=1) + "\n")
 
 
 def tell(text):
@@ -194,10 +189,11 @@ def work(options, root):
     if wrong:
         return 1
     if len(now) < len(left):
-        tell(f"{len(left) - len(now)} of {len(release.studies)} commands are left")
+        tell(f"{len(left) - len(now)} of {len(release.studies)} commands are left; what is measured can be committed")
         return 0
     release.publish()
-    tell(f"wrote {release.target.relative_to(root)}; the texts follow by python3 -m lab.figures write --version {release.version}")
+    tell(f"{release.folder.relative_to(root)} is whole; the texts follow by python3 -m lab.figures write "
+         f"--version {release.version}")
     return 0
 
 

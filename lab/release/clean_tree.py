@@ -16,10 +16,12 @@ def git(root, *words):
     return result.stdout.rstrip("\n")
 
 
-def commit(root):
-    """Its full name. Raises Request where the tree has local changes."""
-    changed = git(root, "status", "--porcelain").splitlines()
+def commit(root, beside=""):
+    """Its full name. Raises Request where the tree has local changes. Those in the folder `beside` do not count, nor do
+    commits that change nothing else: what lies there is made of the commit before them."""
+    places = [".", f":(exclude){beside}"] if beside else ["."]
+    changed = git(root, "status", "--porcelain", "--untracked-files=all", "--", *places).splitlines()
     if changed:
         raise command_line.Request(f"the tree has local changes, {changed[0][3:]} and {len(changed) - 1} more: commit them first"
                                    if changed[1:] else f"the tree has a local change, {changed[0][3:]}: commit it first")
-    return git(root, "rev-parse", "HEAD")
+    return git(root, "log", "-1", "--format=%H", "--", *places) if beside else git(root, "rev-parse", "HEAD")

@@ -158,7 +158,7 @@ def test_a_text_that_differs_is_named_and_written(checkout, blocks):
 
 def test_texts_of_the_next_release(checkout, blocks):
     checkout.put({"README.md": "<!-- results 1.0.0: template\n{sim.runs} runs.\n-->\n<!-- end results -->\n",
-                  "docs/results/1.0.10/sim.json": RUNS,
+                  "docs/results/1.0.10/sim.json": RUNS, "docs/results/1.0.11/sim.json": RUNS,
                   "docs/results/1.0.10/release.json": {"version": "1.0.10", "mixed": True, "why": "a trial"}})
     blocks.write("1.0.10")
     assert checkout.text("README.md").endswith(

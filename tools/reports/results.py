@@ -9,7 +9,7 @@ import pathlib
 import re
 
 RELEASED, FRESH = "docs/results", "build/reports"
-RELEASE = "release.json"  # of a release: its version, commit and studies
+RELEASE = "release.json"  # of a release whose results are whole: its version, commit and studies
 # The field with the rows of a report, where it is not `rows`.
 ROWS = {"bfp": "errors", "boards": "boards", "dma": "runs", "formal": "properties", "glapi": "commands",
         "plates": "plates", "sim": "runs", "structure": "designs", "tests": "suites"}
@@ -60,8 +60,9 @@ def is_wanted(row, wanted):
 
 
 def versions(root):
-    """Those that have results, the newest last."""
-    names = [path.name for path in (pathlib.Path(root) / RELEASED).glob("*") if _VERSION.fullmatch(path.name)]
+    """Those whose results are whole, the newest last."""
+    names = [path.parent.name for path in (pathlib.Path(root) / RELEASED).glob(f"*/{RELEASE}")
+             if _VERSION.fullmatch(path.parent.name)]
     return sorted(names, key=lambda name: [int(part) for part in name.split(".")])
 
 

@@ -56,17 +56,25 @@ def head(tree):
     return tree.run("git", "rev-parse", "HEAD")[1].strip()
 
 
+def folder(tree):
+    return tree.root / "docs" / "results" / "1.2.3"
+
+
+def kept(tree):
+    """The results that are there."""
+    return sorted(path.name for path in folder(tree).glob("*"))
+
+
 def test_all_are_of_one_commit_and_say_so(tree, measured):
     status, out, errors, ran = measured()
     assert (status, errors, ran) == (0, [], ["a", "b c"])
     assert "results: 2 of 2: sh study.sh b c" in out
-    folder = tree.root / "docs" / "results" / "1.2.3"
-    assert sorted(path.name for path in folder.iterdir()) == ["a.json", "b.json", "c.json", "release.json"]
+    assert kept(tree) == ["a.json", "b.json", "c.json", "release.json"]
     for name in "abc":
-        report = json.loads((folder / f"{name}.json").read_text())
+        report = json.loads((folder(tree) / f"{name}.json").read_text())
         assert (report["version"], report["commit"], report["rows"]) == ("1.2.3", head(tree), [{"of": name}])
         assert report["machine"]["cores"] > 0 and "python3" in report["tools"]
-    release = json.loads((folder / "release.json").read_text())
+    release = json.loads((folder(tree) / "release.json").read_text())
     assert (release["commit"], release["mixed"], list(release["studies"])) == (head(tree), False, ["a", "b", "c"])
 
 
@@ -74,20 +82,31 @@ def test_what_is_measured_is_not_measured_again(tree, measured):
     tree.put({"build/fails": "b"})
     status, _, (error,), ran = measured()
     assert (status, ran) == (1, ["a", "b c"])
-    assert re.search(r"sh study.sh b c ended with 3 and wrote no b.json: see build/results/\w{12}/b.log", error)
-    assert not (tree.root / "docs").exists()
+    assert re.search(r"sh study.sh b c ended with 3 and wrote no b.json: see build/results/b.log", error)
+    assert kept(tree) == ["a.json"]
     tree.put({"build/fails": None})
     assert measured()[::3] == (0, ["b c"])
 
 
 def test_some_of_them(tree, measured):
     status, out, errors, ran = measured("--only", "c")
-    assert (status, errors, ran, out[-1]) == (0, [], ["b c"], "results: 1 of 2 commands are left")
-    assert not (tree.root / "docs").exists()
+    assert (status, errors, ran, out[-1]) == (0, [], ["b c"], "results: 1 of 2 commands are left; what is measured can be committed")
+    assert kept(tree) == ["b.json", "c.json"]
     assert measured("--only", "c")[3] == []
     assert measured("--only", "a,x")[2] == ["results: no study 'x': one of a, b, c"]
     status, out, _, ran = measured("--only", "a")
-    assert (status, ran) == (0, ["a"]) and out[-1].startswith("results: wrote docs/results/1.2.3")
+    assert (status, ran) == (0, ["a"]) and out[-1].startswith("results: docs/results/1.2.3 is whole; ")
+
+
+def test_commits_of_results_alone_are_the_tree_that_is_measured(tree, measured):
+    of = head(tree)
+    measured("--only", "a")
+    tree.git("add", "--all")
+    tree.commit()
+    assert head(tree) != of
+    assert measured()[::3] == (0, ["b c"])
+    assert {json.loads((folder(tree) / name).read_text())["commit"] for name in kept(tree)} == {of}
+    assert measured()[::3] == (0, [])
 
 
 def test_variables_of_make_are_not_those_of_a_study(tree, measured, monkeypatch):
@@ -104,7 +123,7 @@ def test_a_result_that_cannot_be_judged_is_none(tree, measured):
     tree.commit()
     status, _, (error,), _ = measured("--only", "compare")
     assert (status, error) == (1, "results: compare.json cannot be judged: 'kind'")
-    assert list((tree.root / "build" / "results").rglob("*.json")) == []
+    assert kept(tree) == []
 
 
 def test_a_change_is_refused(tree, measured):
@@ -119,25 +138,20 @@ def test_a_change_meanwhile_is_refused(tree, measured):
     tree.commit()
     status, _, errors, ran = measured()
     assert (status, errors, ran) == (2, ["results: the tree has a local change, new: commit it first"], ["a"])
-    assert list((tree.root / "build" / "results").rglob("*.json")) == []
+    assert kept(tree) == []
 
 
 def test_commits_are_not_mixed(tree, measured):
-    measured()
+    measured("--only", "a")
     before = head(tree)
+    tree.put({"new": "1"})
     tree.git("add", "--all")
     tree.commit()
-    message = f"results: docs/results/1.2.3 is there, of {before[:12]}; results of two commits are not mixed: " \
-        "raise VERSION, or remove that folder"
+    message = f"results: docs/results/1.2.3/a.json is of commit {before[:12]}, not {head(tree)[:12]}; results of two commits are " \
+        "not mixed: raise VERSION, or remove that folder"
     assert measured() == (2, [], [message], [])
     tree.put({"VERSION": "1.2.4\n"})
     tree.commit()
-    old, new = (tree.root / "build" / "results" / name[:12] for name in (before, head(tree)))
-    new.mkdir()
-    (new / "a.json").write_bytes((old / "a.json").read_bytes())
-    message = f"results: build/results/{head(tree)[:12]}/a.json is of commit {before[:12]}, not {head(tree)[:12]}: remove it"
-    assert measured() == (2, [], [message], [])
-    (new / "a.json").unlink()
     assert measured()[::3] == (0, ["a", "b c"])
 
 
@@ -151,8 +165,7 @@ def test_an_interrupt_leaves_no_half_result(tree, measured):
         process.send_signal(signal.SIGINT)
         _, errors = process.communicate(timeout=30)
     assert (process.returncode, errors.count("\n")) == (130, 1)
-    assert [path.name for path in (tree.root / "build" / "results").rglob("*.json")] == ["a.json"]
-    assert not (tree.root / "docs").exists()
+    assert kept(tree) == ["a.json"]
     tree.put({"build/hangs": None, "build/ran": None})
     assert measured()[::3] == (0, ["b c"])
 
