@@ -22,8 +22,8 @@ class ControlsOfABox : public testing::Test {
 
   Lattice box_ = lattice_around("box", (Points(2, 3) << -1, -1, -1, 1, 1, 1).finished(), {4, 4, 4});
   std::vector<Points> saved_;
-  Controls controls_{LatticeDrag(box_), Orbit(box_.points(), Point(0.35, 0.3, 1), 4.0 / 3.0),
-                     kWidth, kHeight,
+  Controls controls_{LatticeDrag(box_, Family()),
+                     Orbit(box_.points(), Point(0.35, 0.3, 1), 4.0 / 3.0), kWidth, kHeight,
                      [this](const Lattice& lattice) { saved_.push_back(lattice.points()); }};
 };
 

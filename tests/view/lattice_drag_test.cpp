@@ -32,7 +32,7 @@ TEST(LatticeDrag, EveryPointOfABoxFollowsTheMouseInThePlaneOfTheScreen) {
   const Lattice box = lattice_around("box", kCube, {4, 4, 4});
   const Screen view = screen();
   for (Eigen::Index row = 0; row < 64; ++row) {
-    LatticeDrag drag(box);
+    LatticeDrag drag(box, Family());
     const Point before = box.points().row(row);
     const Pixels mouse = seen(view, before) + Pixels(1, -1);
     ASSERT_TRUE(drag.grab(view, mouse)) << row;
@@ -50,7 +50,7 @@ TEST(LatticeDrag, EveryPointOfABoxFollowsTheMouseInThePlaneOfTheScreen) {
 TEST(LatticeDrag, WithoutAPointInReachNothingMoves) {
   const Lattice box = lattice_around("box", kCube, {4, 4, 4});
   const Screen view = screen();
-  LatticeDrag drag(box);
+  LatticeDrag drag(box, Family());
   const Pixels corner = seen(view, box.point(0, 0, 3));
   EXPECT_TRUE(drag.grab(view, corner + Pixels(-LatticeDrag::kReach + 0.1, 0)));
   drag.release();
@@ -67,7 +67,7 @@ TEST(LatticeDrag, OfPointsInOnePlaceTheNearestToTheEyeIsHeld) {
   camera.eye = corner + 4 * (corner - box.point(0, 0, 0));  // along the edge behind it
   camera.target = corner;
   const Screen view(camera, 800, 600);
-  LatticeDrag drag(box);
+  LatticeDrag drag(box, Family());
   ASSERT_TRUE(drag.grab(view, Pixels(400, 300)));
   drag.drag(view, Pixels(420, 300));
   EXPECT_EQ(moved(box, drag.lattice()), std::vector<Eigen::Index>{box.index(0, 0, 3)});
@@ -76,7 +76,7 @@ TEST(LatticeDrag, OfPointsInOnePlaceTheNearestToTheEyeIsHeld) {
 TEST(LatticeDrag, ReleasedPointsStayAndAResetBringsThemBack) {
   const Lattice box = lattice_around("box", kCube, {4, 4, 4});
   const Screen view = screen();
-  LatticeDrag drag(box);
+  LatticeDrag drag(box, Family());
   for (const Eigen::Index row : {3, 60}) {
     const Pixels mouse = seen(view, drag.lattice().points().row(row));
     ASSERT_TRUE(drag.grab(view, mouse));
@@ -94,7 +94,7 @@ TEST(LatticeDrag, JointsOfACylinderStayClosed) {
   const Lattice cylinder = lattice_around("cylinder", kCube, {4, 4, 9});
   ASSERT_TRUE(Closure(cylinder).closed(2));
   const Screen view = screen();
-  LatticeDrag drag(cylinder);
+  LatticeDrag drag(cylinder, Family());
   // Point 0 along u is also point 6.
   const Pixels mouse = seen(view, cylinder.point(3, 3, 6));
   ASSERT_TRUE(drag.grab(view, mouse));
@@ -102,6 +102,30 @@ TEST(LatticeDrag, JointsOfACylinderStayClosed) {
   EXPECT_TRUE(Closure(drag.lattice()).closed(2));
   EXPECT_EQ(moved(cylinder, drag.lattice()),
             (std::vector<Eigen::Index>{cylinder.index(3, 3, 0), cylinder.index(3, 3, 6)}));
+}
+
+TEST(LatticeDrag, JointsOfOtherFamiliesStayClosedToo) {
+  for (const std::string& name : Family::names()) {
+    const Family family = Family::parse(name);
+    const Index3 dims{4, 4, 13};
+    const Lattice cylinder = lattice_around("cylinder", kCube, std::optional<Index3>(dims), family);
+    const Closure closure(cylinder, family);
+    ASSERT_TRUE(closure.closed(2)) << name;
+    const int last = dims[2] - 1;
+    const int first = last % (dims[2] - closure.repeated());  // the same point
+    const Screen view = screen();
+    for (const int k : {first, last}) {
+      LatticeDrag drag(cylinder, family);
+      const Pixels mouse = seen(view, cylinder.point(3, 3, k));
+      ASSERT_TRUE(drag.grab(view, mouse)) << name;
+      drag.drag(view, mouse + Pixels(30, 10));
+      EXPECT_TRUE(Closure(drag.lattice(), family).closed(2)) << name;
+      EXPECT_EQ(
+          moved(cylinder, drag.lattice()),
+          (std::vector<Eigen::Index>{cylinder.index(3, 3, first), cylinder.index(3, 3, last)}))
+          << name;
+    }
+  }
 }
 
 }  // namespace

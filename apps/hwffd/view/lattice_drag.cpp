@@ -11,7 +11,8 @@ constexpr double kSamePlace = 0.5;  // pixels
 
 }  // namespace
 
-LatticeDrag::LatticeDrag(Lattice lattice) : first_(std::move(lattice)), lattice_(first_) {}
+LatticeDrag::LatticeDrag(Lattice lattice, const Family& family)
+    : first_(std::move(lattice)), lattice_(first_), family_(family) {}
 
 bool LatticeDrag::grab(const Screen& screen, const Pixels& mouse) {
   held_.reset();
@@ -36,7 +37,7 @@ void LatticeDrag::drag(const Screen& screen, const Pixels& mouse) {
   if (!held_) return;
   const Point to = screen.unproject(mouse + held_->offset, held_->depth);
   const Point by = to - held_->lattice.point(held_->place);
-  lattice_ = Deformation::move(held_->place, by).apply(held_->lattice);
+  lattice_ = Deformation::move(held_->place, by).apply(held_->lattice, family_);
 }
 
 void LatticeDrag::reset() {

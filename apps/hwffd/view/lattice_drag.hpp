@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "hwffd/lattice/family.hpp"
 #include "hwffd/lattice/lattice.hpp"
 #include "view/screen.hpp"
 
@@ -14,7 +15,8 @@ class LatticeDrag {
  public:
   static constexpr double kReach = 12;  ///< pixels between mouse and a point it takes hold of
 
-  explicit LatticeDrag(Lattice lattice);
+  /// @param family  of the lattice, which says what its joints are
+  LatticeDrag(Lattice lattice, const Family& family);
 
   const Lattice& lattice() const { return lattice_; }
 
@@ -40,6 +42,7 @@ class LatticeDrag {
 
   Lattice first_;
   Lattice lattice_;
+  Family family_;
   std::optional<Held> held_;
 };
 

@@ -42,7 +42,7 @@ void show(Scene scene, Device& device, const std::function<void(const Lattice&)>
   const Deformer deformer(scene.mesh.positions(), nullptr, {{scene.rest, scene.family}},
                           scene.outside);
   const Orbit orbit(scene.deformed.points(), Point(0.35, 0.3, 1), kAspect);
-  Controls controls(LatticeDrag(scene.deformed), orbit, kWidth, kHeight, save);
+  Controls controls(LatticeDrag(scene.deformed, scene.family), orbit, kWidth, kHeight, save);
   const std::string title = scene.mesh.name() + " - " + device.name();
   Window window(title, kWidth, kHeight);
   FrameRate rate;
