@@ -112,7 +112,7 @@ TEST(LatticeDrag, JointsOfOtherFamiliesStayClosedToo) {
     const Closure closure(cylinder, family);
     ASSERT_TRUE(closure.closed(2)) << name;
     const int last = dims[2] - 1;
-    const int first = last % (dims[2] - closure.repeated());  // the same point
+    const int first = last % (dims[2] - closure.repeated(2));  // the same point
     const Screen view = screen();
     for (const int k : {first, last}) {
       LatticeDrag drag(cylinder, family);

@@ -49,45 +49,79 @@ struct FaceWeights {
   int moves = 0;
 };
 
-/// The three layers that make the face at one end of an axis: their step in rows from the outermost
-/// layer inwards, and the first row of the outermost layer.
-struct Face {
-  Face(const Layers& layers, int axis, int end, const FaceWeights& of)
-      : step(end == 0 ? layers.step(axis) : -layers.step(axis)),
-        first(end == 0 ? 0 : layers.step(axis) * (layers.size(axis) - 1)),
-        weights(of) {}
+/// A face of the outer cells as lines of points, each along the axis in it along which it may be
+/// collapsed. Three layers of control points make it.
+class FaceLines {
+ public:
+  FaceLines(const Layers& layers, const Closure::Collapsed& face, const FaceWeights& weights)
+      : layers_(layers),
+        face_(face),
+        weights_(weights),
+        inwards_(face.end == 0 ? layers.step(face.axis) : -layers.step(face.axis)),
+        outermost_(face.end == 0 ? 0 : layers.step(face.axis) * (layers.size(face.axis) - 1)) {}
 
-  /// The point of the face that a column of three control points makes.
-  Eigen::RowVector3d knot(const Points& points, Eigen::Index row) const {
-    const Eigen::Index outer = row + first;
-    return (weights.of[0] * points.row(outer) + weights.of[1] * points.row(outer + step) +
-            weights.of[2] * points.row(outer + 2 * step)) /
-           weights.sum;
-  }
+  /// Points of a line.
+  int size() const { return layers_.size(face_.along); }
 
-  /// Moves that point, by the layer that moves.
-  void move(Points& points, Eigen::Index row, const Eigen::RowVector3d& by) const {
-    const auto layer = static_cast<std::size_t>(weights.moves);
-    points.row(row + first + weights.moves * step) += weights.sum / weights.of[layer] * by;
-  }
+  /// One of the lines, whose points are counted from 0.
+  class Line {
+   public:
+    /// @param row  of its first point on layer 0
+    Line(const FaceLines& of, Eigen::Index row) : of_(of), first_(row + of.outermost_) {}
 
-  /// The transpose of move(): what the gradient has of `by`.
-  Eigen::RowVector3d pulled(const Points& gradient, Eigen::Index row) const {
-    const auto layer = static_cast<std::size_t>(weights.moves);
-    return weights.sum / weights.of[layer] * gradient.row(row + first + weights.moves * step);
-  }
-
-  /// The transpose of knot(): gives the layers their parts of what the face has.
-  void pull(Points& gradient, Eigen::Index row, const Eigen::RowVector3d& at_knot) const {
-    for (int layer = 0; layer < 3; ++layer) {
-      gradient.row(row + first + layer * step) +=
-          weights.of[static_cast<std::size_t>(layer)] / weights.sum * at_knot;
+    /// The point of the face that a column of three control points makes.
+    Eigen::RowVector3d knot(const Points& points, int n) const {
+      const std::array<double, 3>& weight = of_.weights_.of;
+      return (weight[0] * points.row(at(n, 0)) + weight[1] * points.row(at(n, 1)) +
+              weight[2] * points.row(at(n, 2))) /
+             of_.weights_.sum;
     }
+
+    /// Moves that point, by the layer that moves.
+    void move(Points& points, int n, const Eigen::RowVector3d& by) const {
+      points.row(at(n, of_.weights_.moves)) += per_move() * by;
+    }
+
+    /// The transpose of move(): what the gradient has of `by`.
+    Eigen::RowVector3d pulled(const Points& gradient, int n) const {
+      return per_move() * gradient.row(at(n, of_.weights_.moves));
+    }
+
+    /// The transpose of knot(): gives the layers their parts of what the face has.
+    void pull(Points& gradient, int n, const Eigen::RowVector3d& at_knot) const {
+      for (int layer = 0; layer < 3; ++layer) {
+        gradient.row(at(n, layer)) +=
+            of_.weights_.of[static_cast<std::size_t>(layer)] / of_.weights_.sum * at_knot;
+      }
+    }
+
+   private:
+    /// The row of a control point, layers counted from the outermost inwards.
+    Eigen::Index at(int n, int layer) const {
+      return first_ + n * of_.layers_.step(of_.face_.along) + layer * of_.inwards_;
+    }
+    double per_move() const {
+      return of_.weights_.sum / of_.weights_.of[static_cast<std::size_t>(of_.weights_.moves)];
+    }
+
+    const FaceLines& of_;
+    Eigen::Index first_;
+  };
+
+  /// Calls f with every line.
+  template <typename F>
+  void each(F f) const {
+    layers_.each(face_.axis, [&](Eigen::Index row) {
+      if (row / layers_.step(face_.along) % size() == 0) f(Line(*this, row));
+    });
   }
 
-  Eigen::Index step;
-  Eigen::Index first;
-  FaceWeights weights;
+ private:
+  const Layers& layers_;
+  const Closure::Collapsed& face_;
+  const FaceWeights& weights_;
+  Eigen::Index inwards_;    ///< from a layer to the next one, in rows
+  Eigen::Index outermost_;  ///< from layer 0 to the outermost one
 };
 
 bool is_closed(const Layers& layers, const Points& points, int axis, int repeated,
@@ -102,51 +136,37 @@ bool is_closed(const Layers& layers, const Points& points, int axis, int repeate
   return same;
 }
 
-bool is_collapsed(const Layers& layers, const Points& points, const Closure::Collapsed& face,
-                  const FaceWeights& weights, double tolerance) {
-  const Face layer(layers, face.axis, face.end, weights);
+bool is_collapsed(const FaceLines& lines, const Points& points, double tolerance) {
   bool same = true;
-  layers.each(face.axis, [&](Eigen::Index row) {
-    const Eigen::Index start =
-        row - row / layers.step(face.along) % layers.size(face.along) * layers.step(face.along);
-    same = same && (layer.knot(points, row) - layer.knot(points, start)).norm() <= tolerance;
+  lines.each([&](const FaceLines::Line& line) {
+    const Eigen::RowVector3d start = line.knot(points, 0);
+    for (int n = 1; n < lines.size(); ++n) {
+      same = same && (line.knot(points, n) - start).norm() <= tolerance;
+    }
   });
   return same;
 }
 
-/// @param repeated  layers along the axis in the face that are those at its beginning
-void collapse(const Layers& layers, Points& points, const Closure::Collapsed& face,
-              const FaceWeights& weights, int repeated) {
-  const Face layer(layers, face.axis, face.end, weights);
-  const int size = layers.size(face.along);
-  const int distinct = size - repeated;
-  const Eigen::Index step = layers.step(face.along);
-  layers.each(face.axis, [&](Eigen::Index row) {
-    if (row / step % size != 0) return;
+/// @param repeated  points of a line that are those at its beginning
+void collapse(const FaceLines& lines, Points& points, int repeated) {
+  const int distinct = lines.size() - repeated;
+  lines.each([&](const FaceLines::Line& line) {
     Eigen::RowVector3d mean = Eigen::RowVector3d::Zero();
-    for (int n = 0; n < distinct; ++n) mean += layer.knot(points, row + n * step) / distinct;
-    for (int n = 0; n < size; ++n) {
-      const Eigen::Index at = row + n * step;
-      layer.move(points, at, mean - layer.knot(points, at));
-    }
+    for (int n = 0; n < distinct; ++n) mean += line.knot(points, n) / distinct;
+    for (int n = 0; n < lines.size(); ++n) line.move(points, n, mean - line.knot(points, n));
   });
 }
 
 /// The transpose of collapse().
-void pull_collapse(const Layers& layers, Points& gradient, const Closure::Collapsed& face,
-                   const FaceWeights& weights, int repeated) {
-  const Face layer(layers, face.axis, face.end, weights);
-  const int size = layers.size(face.along);
-  const int distinct = size - repeated;
-  const Eigen::Index step = layers.step(face.along);
-  Points pulled(size, 3);
-  layers.each(face.axis, [&](Eigen::Index row) {
-    if (row / step % size != 0) return;
-    for (int n = 0; n < size; ++n) pulled.row(n) = layer.pulled(gradient, row + n * step);
+void pull_collapse(const FaceLines& lines, Points& gradient, int repeated) {
+  const int distinct = lines.size() - repeated;
+  Points pulled(lines.size(), 3);
+  lines.each([&](const FaceLines::Line& line) {
+    for (int n = 0; n < lines.size(); ++n) pulled.row(n) = line.pulled(gradient, n);
     const Eigen::RowVector3d mean = pulled.colwise().sum() / distinct;
-    for (int n = 0; n < size; ++n) {
+    for (int n = 0; n < lines.size(); ++n) {
       const Eigen::RowVector3d own = n < distinct ? mean : Eigen::RowVector3d::Zero();
-      layer.pull(gradient, row + n * step, own - pulled.row(n));
+      line.pull(gradient, n, own - pulled.row(n));
     }
   });
 }
@@ -160,14 +180,18 @@ Closure::Closure(const Lattice& lattice, const Family& family)
   const double tolerance = kSame * size + far_rounding(points, size);
   const Layers layers(dims_);
   const FaceWeights weights(family);
+  const int joint = family.regular() ? 3 : 1;  // layers that are repeated where an axis is closed
   for (int axis = 0; axis < 3; ++axis) {
     if (layers.size(axis) < Lattice::kMinPoints) continue;  // it has no cells to join
-    closed_[static_cast<std::size_t>(axis)] =
-        is_closed(layers, points, axis, repeated(), tolerance);
+    if (is_closed(layers, points, axis, joint, tolerance)) {
+      repeated_[static_cast<std::size_t>(axis)] = joint;
+    }
     for (int end = 0; end < 2; ++end) {
       for (int other = 1; other < 3; ++other) {
         const Collapsed face{axis, end, (axis + other) % 3};
-        if (is_collapsed(layers, points, face, weights, tolerance)) collapsed_.push_back(face);
+        if (is_collapsed(FaceLines(layers, face, weights), points, tolerance)) {
+          collapsed_.push_back(face);
+        }
       }
     }
   }
@@ -179,16 +203,16 @@ Lattice Closure::restore(const Lattice& moved) const {
   const Layers layers(dims_);
   for (int axis = 0; axis < 3; ++axis) {
     if (!closed(axis)) continue;
-    const Eigen::Index period = layers.step(axis) * (layers.size(axis) - repeated());
+    const Eigen::Index period = layers.step(axis) * (layers.size(axis) - repeated(axis));
     layers.each(axis, [&](Eigen::Index row) {
-      for (int layer = 0; layer < repeated(); ++layer, row += layers.step(axis)) {
+      for (int layer = 0; layer < repeated(axis); ++layer, row += layers.step(axis)) {
         points.row(row + period) = points.row(row);
       }
     });
   }
   const FaceWeights weights(family_);
   for (const Collapsed& face : collapsed_) {
-    collapse(layers, points, face, weights, closed(face.along) ? repeated() : 0);
+    collapse(FaceLines(layers, face, weights), points, repeated(face.along));
   }
   return Lattice(dims_, std::move(points));
 }
@@ -197,14 +221,14 @@ Points Closure::pull_back(Points gradient) const {
   const Layers layers(dims_);
   const FaceWeights weights(family_);
   for (auto face = collapsed_.rbegin(); face != collapsed_.rend(); ++face) {
-    pull_collapse(layers, gradient, *face, weights, closed(face->along) ? repeated() : 0);
+    pull_collapse(FaceLines(layers, *face, weights), gradient, repeated(face->along));
   }
   for (int axis = 2; axis >= 0; --axis) {
     if (!closed(axis)) continue;
     const Eigen::Index step = layers.step(axis);
-    const Eigen::Index period = step * (layers.size(axis) - repeated());
+    const Eigen::Index period = step * (layers.size(axis) - repeated(axis));
     layers.each(axis, [&](Eigen::Index row) {
-      for (int layer = repeated() - 1; layer >= 0; --layer) {
+      for (int layer = repeated(axis) - 1; layer >= 0; --layer) {
         const Eigen::Index from = row + layer * step + period;
         gradient.row(row + layer * step) += gradient.row(from);
         gradient.row(from).setZero();

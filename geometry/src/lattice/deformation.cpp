@@ -42,7 +42,7 @@ Index3 first_place(Index3 place, const Lattice& lattice, const Closure& closure)
     }
   }
   for (std::size_t a = 0; a < 3; ++a) {
-    if (closure.closed(static_cast<int>(a))) place[a] %= d[a] - closure.repeated();
+    place[a] %= d[a] - closure.repeated(static_cast<int>(a));
   }
   return place;
 }

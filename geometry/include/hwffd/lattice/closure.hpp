@@ -30,13 +30,12 @@ class Closure {
   /// rounding of coordinates where it lies far from the origin.
   explicit Closure(const Lattice& lattice, const Family& family = {});
 
-  /// Whether the axis is closed.
-  bool closed(int axis) const { return closed_[static_cast<std::size_t>(axis)]; }
+  /// How many layers at the beginning of an axis are repeated at its end: 0 if it is not closed.
+  int repeated(int axis) const { return repeated_[static_cast<std::size_t>(axis)]; }
+  bool closed(int axis) const { return repeated(axis) > 0; }
   /// Whether there is any joint.
-  bool joined() const { return closed_ != std::array<bool, 3>{} || !collapsed_.empty(); }
+  bool joined() const { return repeated_ != std::array<int, 3>{} || !collapsed_.empty(); }
   const std::vector<Collapsed>& collapsed() const { return collapsed_; }
-  /// How many layers at the beginning of a closed axis are repeated at its end.
-  int repeated() const { return family_.regular() ? 3 : 1; }
 
   /// A moved lattice with its joints closed again. The layers of a closed axis go to those that
   /// repeat them. On a collapsed face the outermost layer of points that the face is made of moves,
@@ -52,7 +51,7 @@ class Closure {
  private:
   Index3 dims_;
   Family family_;
-  std::array<bool, 3> closed_{};
+  std::array<int, 3> repeated_{};
   std::vector<Collapsed> collapsed_;
 };
 
