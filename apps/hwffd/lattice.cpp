@@ -34,11 +34,10 @@ int run(const LatticeOptions& options, const StageOptions& stage_options) {
   if (points.rows() == 0 && texts.front().region.empty()) {
     points = (Points(2, 3) << -1, -1, -1, 1, 1, 1).finished();
   }
-  const Lattice rest = rest_lattice(texts.front(), points);
-  const Lattice deformed = deformed_lattice(texts.front(), rest);
-  write_output(options.output, lattice_text(file_of(texts.front(), deformed, rest)));
+  const LatticeFile file = deformed_lattice(texts.front(), given_lattice(texts.front(), points));
+  write_output(options.output, lattice_text(file));
   if (options.output != "-") {
-    fmt::print("wrote {}: {} points\n", options.output, dims_text(deformed.dims()));
+    fmt::print("wrote {}: {} points\n", options.output, dims_text(file.lattice.dims()));
   }
   return 0;
 }

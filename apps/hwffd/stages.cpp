@@ -154,6 +154,10 @@ std::vector<StageText> StageOptions::texts() const {
   return stages;
 }
 
+LatticeFile Stage::file() const {
+  return {deformed, apart ? std::optional<Lattice>(rest) : std::nullopt, family};
+}
+
 std::vector<std::string> files_of(const std::vector<StageText>& texts) {
   constexpr std::string_view kTo = "to:";
   std::vector<std::string> files;
@@ -170,54 +174,43 @@ std::optional<Family> family_named(const std::string& name) {
   return name.empty() ? std::nullopt : std::optional<Family>(Family::parse(name));
 }
 
-Family family_of(const StageText& text) {
-  const std::optional<Family> named = family_named(text.family);
-  return is_shape(text.lattice) ? named.value_or(Family()) : *read_stage(text).family;
-}
-
-Lattice rest_lattice(const StageText& text, const Points& points) {
-  if (!is_shape(text.lattice)) {
-    const LatticeFile file = read_stage(text);
-    return file.rest.value_or(file.lattice);
-  }
-  const Family family = family_of(text);
+LatticeFile given_lattice(const StageText& text, const Points& points) {
+  if (!is_shape(text.lattice)) return read_stage(text);
+  const Family family = family_named(text.family).value_or(Family());
   std::optional<Index3> dims;
   if (!text.dims.empty()) {
     dims = parse_dims(text.dims, "--dims " + excerpt(text.dims),
                       family.takes_few() ? Lattice::kFewestPoints : Lattice::kMinPoints,
                       Lattice::kMaxPoints);
   }
-  if (text.region.empty()) return lattice_around(text.lattice, points, dims, family);
+  if (text.region.empty()) {
+    return {lattice_around(text.lattice, points, dims, family), std::nullopt, family};
+  }
   Fit exactly;
   exactly.room = 0.0;
-  return lattice_around(text.lattice, parse_region(text.region), dims, family, exactly);
+  return {lattice_around(text.lattice, parse_region(text.region), dims, family, exactly),
+          std::nullopt, family};
 }
 
-Lattice deformed_lattice(const StageText& text, const Lattice& rest) {
+LatticeFile deformed_lattice(const StageText& text, LatticeFile given) {
   std::vector<Deformation> deformations;
   for (const std::string& word : text.deformations) {
     deformations.push_back(Deformation::parse(word));
   }
-  // A file may hold a lattice at rest and deformed already.
-  return deform_lattice(is_shape(text.lattice) ? rest : read_stage(text).lattice, deformations,
-                        family_of(text));
-}
-
-LatticeFile file_of(const StageText& text, Lattice deformed, const Lattice& rest) {
-  const bool apart = !is_shape(text.lattice) && read_stage(text).rest.has_value();
-  return {std::move(deformed), apart ? std::optional<Lattice>(rest) : std::nullopt,
-          family_of(text)};
+  given.lattice = deform_lattice(given.lattice, deformations, *given.family);
+  return given;
 }
 
 std::vector<Stage> make_stages(const std::vector<StageText>& texts, const Points& points) {
   std::vector<Stage> stages;
   for (const StageText& text : texts) {
-    const Family family = family_of(text);
-    const Lattice given = rest_lattice(text, points);
-    Lattice rest = whole(given, family);
+    LatticeFile given = given_lattice(text, points);
+    const Family family = *given.family;
+    const bool apart = given.rest.has_value();
+    Lattice rest = whole(given.rest.value_or(given.lattice), family);
     if (!span_volume(rest.points())) throw_no_volume(text.lattice);
-    Lattice deformed = whole(deformed_lattice(text, given), family);
-    stages.push_back({text.lattice, family, std::move(rest), std::move(deformed)});
+    Lattice deformed = whole(deformed_lattice(text, std::move(given)).lattice, family);
+    stages.push_back({text.lattice, family, std::move(rest), std::move(deformed), apart});
   }
   return stages;
 }

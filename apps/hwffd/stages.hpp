@@ -34,6 +34,10 @@ struct Stage {
   Family family;
   Lattice rest;
   Lattice deformed;
+  bool apart;  ///< whether its file has points at rest beside those that are deformed
+
+  /// What to write of a stage: its family, and the lattice at rest where its file has it apart.
+  LatticeFile file() const;
 };
 
 /// Whether the lattices of a stage fold.
@@ -66,20 +70,15 @@ class StageOptions {
 /// @throws UsageError for one that is unknown
 std::optional<Family> family_named(const std::string& name);
 
-/// The family of the text, else that of its file, else the usual one.
-/// @throws UsageError, Error for one that is unknown, a file that is no good
-Family family_of(const StageText& text);
-
-/// The lattice at rest; of few points an axis where the text or its file says so (few_points.hpp).
+/// What a stage begins with: its shape, or its file, which is read once; of few points an axis
+/// where the text or the file says so (few_points.hpp). Its family is that of the text, else that
+/// of the file, else the usual one.
 /// @param points  what a shape holds if the text gives no region
 /// @throws UsageError, Error for a text, file or lattice that is no good
-Lattice rest_lattice(const StageText& text, const Points& points);
+LatticeFile given_lattice(const StageText& text, const Points& points);
 
-/// The lattice with the deformations of the text, in order.
-Lattice deformed_lattice(const StageText& text, const Lattice& rest);
-
-/// What to write of a stage: its family, and the lattice at rest where its file gave one apart.
-LatticeFile file_of(const StageText& text, Lattice deformed, const Lattice& rest);
+/// The same with the deformations of the text, in order; what stands at rest beside it stays.
+LatticeFile deformed_lattice(const StageText& text, LatticeFile given);
 
 /// All stages of a command; their lattices have four points and more along each axis.
 /// @throws Error for a lattice at rest whose points lie in one plane

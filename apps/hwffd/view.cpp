@@ -40,7 +40,7 @@ int run(const ViewOptions& options, const StageOptions& stage_options) {
   Mesh mesh = load_model(options.input);
   Stage stage = std::move(make_stages(texts, mesh.positions()).front());
   const std::unique_ptr<Device> device = make_device(options.device);
-  LatticeFile file = file_of(texts.front(), stage.deformed, stage.rest);
+  LatticeFile file = stage.file();
   // A file that cannot be written is no reason to lose what was dragged: the window stays.
   const auto save = [&](const Lattice& lattice) {
     try {

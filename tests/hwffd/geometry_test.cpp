@@ -91,9 +91,9 @@ TEST(Stages, WhatDoesNotBelongIsRefused) {
     StageText text;
     text.region = region;
     if (*region == '\0') {
-      EXPECT_NO_THROW(rest_lattice(text, unit));
+      EXPECT_NO_THROW(given_lattice(text, unit));
     } else {
-      EXPECT_THROW(rest_lattice(text, unit), UsageError) << region;
+      EXPECT_THROW(given_lattice(text, unit), UsageError) << region;
     }
   }
 }

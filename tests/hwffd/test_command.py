@@ -456,6 +456,15 @@ class Command(CommandTest):
         self.good("deform", "solid.obj", "--lattice", "again.json", "-o", "a.obj")
         self.assertEqual(*(vertices(self.text(f"{n}.obj")) for n in "ab"))
 
+    def test_a_lattice_is_read_once_so_that_it_may_come_through_a_pipe(self):
+        self.good("lattice", "--around", "solid.obj", "--family", "linear", "-o", "rest.json")
+        words = ("--lattice", "rest.json", "--deform", "bend:60"), ("--lattice", "/dev/stdin", "--deform", "bend:60")
+        for stage, name in zip(words, "ab"):
+            self.good("lattice", *stage, "-o", f"{name}.json", given=self.text("rest.json"))
+            self.good("deform", "solid.obj", *stage, "-o", f"{name}.obj", given=self.text("rest.json"))
+        for suffix in ("json", "obj"):
+            self.assertEqual(self.text(f"a.{suffix}"), self.text(f"b.{suffix}"))
+
     def test_a_view_saves_over_no_lattice_that_it_read(self):
         self.good("lattice", "-o", "lattice.json")
         refused = self.call("view", "solid.obj", "--lattice", "lattice.json")

@@ -73,8 +73,7 @@ void read_stages(const std::string& input) {
   for (const command::StageText& stage : options.texts()) {
     const std::vector<std::string>& shapes = shape_names();
     if (std::find(shapes.begin(), shapes.end(), stage.lattice) == shapes.end()) continue;
-    const Lattice rest = command::rest_lattice(stage, corners);
-    expect_valid(rest);
+    expect_valid(command::given_lattice(stage, corners).lattice);
   }
 }
 
