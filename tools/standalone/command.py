@@ -30,9 +30,9 @@ def _number(text):
 
 
 def _evaluator(text):
-    for one in gone.read():
-        if (one.kind, one.name) == ("evaluator", text):
-            raise argparse.ArgumentTypeError(str(one))
+    one = gone.find("evaluator", text)
+    if one:
+        raise argparse.ArgumentTypeError(str(one))
     return text
 
 

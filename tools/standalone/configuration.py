@@ -114,7 +114,7 @@ def _row(options, known):
         return configurations.find(rows, options.row)
     org = options.org or DEFAULT_ORG
     if org not in known:
-        configurations.gone.refuse(org)
+        gone.refuse(org)
         raise Refused(f"--org {org}: unknown organization: one of {', '.join(known)}")
     rows = [row for row in rows if row.org == org]
     for column in ("format", "n", "schedule", "evaluator"):
@@ -230,9 +230,11 @@ def value_of(option, text):
 
 def refuse_faults(space, top, parameters):
     """Raises Refused, with the guard of the RTL, where a configuration cannot be."""
-    for one in gone.read():
-        if parameters[one.kind.upper()] == one.number:
-            raise Refused(f"{one.kind.upper()} is {one.number}: {one}")
+    for kind in gone.KINDS:
+        number = parameters[kind.upper()]
+        one = gone.find(kind, number=number)
+        if one:
+            raise Refused(f"{kind.upper()} is {number}: {one}")
     for fault in space.faults(top, parameters):
         if isinstance(fault, parameter_space.Rule):
             values = ", ".join(f"{name} is {parameters[name]}" for name in fault.names)

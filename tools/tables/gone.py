@@ -37,13 +37,18 @@ def read(path=TABLE):
                  for where, cells in csv_table.read(path, COLUMNS))
 
 
+def find(kind, name=None, number=None):
+    """The one of that kind that had the name or the number, if one had."""
+    return next((one for one in read() if one.kind == kind and (one.name == name or one.number == number)), None)
+
+
 def check(kind, where, name, number=None):
     """Raises TableError for a name or a number that went."""
-    for one in read():
-        if one.kind == kind and one.name == name:
-            raise TableError(f"{where}: {one}")
-        if one.kind == kind and one.number == number:
-            raise TableError(f"{where}: number {number} was that of {one.name}, and is never given again")
+    one = find(kind, name, number)
+    if one and one.name == name:
+        raise TableError(f"{where}: {one}")
+    if one:
+        raise TableError(f"{where}: number {number} was that of {one.name}, and is never given again")
 
 
 def refuse(name):
