@@ -43,7 +43,6 @@ py::array numbers(const py::handle& object, const char* name) {
   refuse_masked(object, name);
   auto array = py::array::ensure(object);
   if (!array) {
-    PyErr_Clear();
     throw UsageError(std::string(name) + ": no array; give one of NumPy, of float32 or float64");
   }
   const char kind = array.dtype().kind();

@@ -21,7 +21,6 @@ Points read_matrix(const py::object& numbers, const char* name, py::ssize_t rows
   if (array && array.ndim() == 2 && array.shape(0) == rows && array.shape(1) == 3) {
     return read_points(numbers, name).points();
   }
-  PyErr_Clear();
   throw UsageError(std::string(name) + ": give an array of shape (" + std::to_string(rows) +
                    ", 3)");
 }

@@ -109,7 +109,6 @@ Grid grid_of_places(const std::array<double, 3>& first, const std::array<double,
 Cells whole_numbers(const py::object& numbers) {
   refuse_masked(numbers, "cells");
   const auto cells = py::array::ensure(numbers);
-  if (!cells) PyErr_Clear();
   const char kind = cells ? cells.dtype().kind() : '-';
   if ((kind != 'i' && kind != 'u') || cells.ndim() != 2 || cells.shape(1) != 3) {
     throw UsageError("cells: no integers, n x 3; give them as embed() does");
