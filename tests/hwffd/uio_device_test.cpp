@@ -98,6 +98,8 @@ std::string refusal(const std::function<void()>& body) {
   return "nothing was refused";
 }
 
+constexpr std::uint64_t kEntryBytes = 16;  // of the ring
+
 const Configuration& fx18() { return find_configuration("basic-fx18-overlapped"); }
 
 TEST(UioDevice, GivesTheBitsOfTheModel) {
@@ -179,6 +181,25 @@ TEST(UioDevice, TheNextProgramGoesOn) {
   board.address += Board::kBytes;
   board.allow(board.address);
   EXPECT_NE(refusal([&] { core_of(board); }).find("windows are locked"), std::string::npos);
+}
+
+// A program ends between an error and the look at it, or a bus stops to answer a soft reset: the
+// core keeps the error.
+TEST(UioDevice, ErrorsOfBeforeAreNotThoseOfARun) {
+  Board board(fx18());
+  const Lattice lattice = moved({4, 4, 4});
+  const std::vector<Embedded> vertices = places(20, {4, 4, 4});
+  const Points expected = make_device({"model", "basic", "fx18"})->evaluate(lattice, vertices);
+  core_of(board);  // locks the windows
+  const std::uint32_t head = board.system.read32(HWFFD_RING_HEAD_OFFSET);
+  board.system.memory.set_beat(kEntryBytes * head + board.address, {});  // of a packet of no bytes
+  board.system.write32(HWFFD_RING_HEAD_OFFSET, head + 1);
+  board.system.write32(HWFFD_CONTROL_OFFSET, HWFFD_CONTROL_START_MASK);
+  board.system.run(1000);
+  ASSERT_EQ(board.system.read32(HWFFD_ERROR_STATUS_OFFSET), HWFFD_ERROR_STATUS_DMA_ZERO_MASK);
+  UioCore core = core_of(board);
+  StreamDevice device("uio:0", *core.row, std::move(core.stream));
+  EXPECT_EQ(device.evaluate(lattice, vertices), expected);
 }
 
 TEST(UioDevice, RefusesInALine) {

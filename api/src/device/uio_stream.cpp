@@ -124,6 +124,7 @@ class UioStream final : public CommandStream {
     if (!driver_.soft_reset(kPolls)) {
       throw Error(fmt::format("{}: does not come out of a soft reset; reset the core", name_));
     }
+    driver_.take_errors();  // a reset keeps those of before, which are not the next run's
     driver_.set_ring({access_->address(), kRingLog2});
   }
 
