@@ -3,12 +3,18 @@
 // /dev/uioN: of the access by Linux's files the reading of folders, the mapping and the refusals
 // are tested, by files of a folder of the test; the interrupt of a real uioN is not.
 #include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/time.h>
+#include <unistd.h>
 
+#include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 
 #include "device/core_access.hpp"
+#include "device/patient_poll.hpp"
 #include "device/row_question.hpp"
 #include "device/uio_stream.hpp"
 #include "hwffd/error.hpp"
@@ -240,6 +246,45 @@ TEST(UioDevice, RefusesInALine) {
               board.system.memory.fail_read(1, 0, cores::kAxiSlverr);
             }).substr(0, 50),
             "uio:0: 0 of 32 results came, ERROR_STATUS 0x8000 a");
+}
+
+/// A timer's signals, a few milliseconds apart, which end every call that waits.
+class Signals {
+ public:
+  Signals() {
+    struct sigaction handler {};  // without SA_RESTART
+    handler.sa_handler = [](int) {};
+    sigaction(SIGALRM, &handler, &before_);
+    set(5000);
+  }
+  ~Signals() {
+    set(0);
+    sigaction(SIGALRM, &before_, nullptr);
+  }
+
+ private:
+  static void set(suseconds_t microseconds) {
+    const itimerval timer{{0, microseconds}, {0, microseconds}};
+    setitimer(ITIMER_REAL, &timer, nullptr);
+  }
+  struct sigaction before_ {};
+};
+
+// Python's handlers and profilers' timers are such.
+TEST(PatientPoll, IsEndedByNoSignal) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds kShort(40), kLong(20'000);
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  const Signals signals;
+  const auto start = Clock::now();
+  EXPECT_EQ(patient_poll(ends[0], POLLIN, kShort), 0);
+  EXPECT_GE(Clock::now() - start, kShort);
+  EXPECT_EQ(patient_poll(ends[1], POLLOUT, kLong), 1);
+  ASSERT_EQ(write(ends[1], "a", 1), 1);
+  EXPECT_EQ(patient_poll(ends[0], POLLIN, kLong), 1);
+  for (const int end : ends) close(end);
+  EXPECT_LT(Clock::now() - start, kLong);
 }
 
 /// Folders as Linux has them, with files in place of devices.

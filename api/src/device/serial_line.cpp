@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "device/patient_poll.hpp"
 #include "hwffd/error.hpp"
 
 namespace hwffd {
@@ -58,16 +59,9 @@ SerialLine::SerialLine(const std::string& name, const std::string& path)
 SerialLine::~SerialLine() { close(file_); }
 
 bool SerialLine::wait(short events, Milliseconds patience) const {
-  const auto end = std::chrono::steady_clock::now() + patience;
-  for (;;) {
-    const auto rest =
-        std::chrono::ceil<Milliseconds>(end - std::chrono::steady_clock::now()).count();
-    pollfd waited{file_, events, 0};
-    const int ready = poll(&waited, 1, static_cast<int>(rest > 0 ? rest : 0));
-    if (ready > 0) return true;
-    if (ready == 0) return false;
-    if (errno != EINTR) closed();
-  }
+  const int ready = patient_poll(file_, events, patience);
+  if (ready < 0) closed();
+  return ready > 0;
 }
 
 void SerialLine::closed() const {

@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "device/core_access.hpp"
+#include "device/patient_poll.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/excerpt.hpp"
 
@@ -118,8 +119,7 @@ class UioAccess final : public CoreAccess {
                     name_, std::strerror(errno)));
   }
   bool wait_interrupt(Milliseconds patience) override {
-    pollfd waited{registers_.file(), POLLIN, 0};
-    if (poll(&waited, 1, static_cast<int>(patience.count())) <= 0) return false;
+    if (patient_poll(registers_.file(), POLLIN, patience) <= 0) return false;
     std::int32_t count = 0;
     return read(registers_.file(), &count, sizeof(count)) == sizeof(count);
   }
