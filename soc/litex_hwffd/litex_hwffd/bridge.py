@@ -6,7 +6,7 @@ SPDX-License-Identifier: Apache-2.0
 from litex.gen import LiteXModule
 from litex.soc.interconnect import wishbone
 from litex.soc.interconnect.axi import RESP_OKAY, RESP_SLVERR
-from migen import FSM, Array, Cat, If, NextState, NextValue, Signal
+from migen import FSM, Array, Cat, If, NextState, NextValue, Signal, log2_int
 
 
 class AxiToWishbone(LiteXModule):
@@ -18,7 +18,8 @@ class AxiToWishbone(LiteXModule):
     beats it leaves the bus to the others for a clock. Reads and writes take turns, burst by burst.
 
     The DMA sends INCR bursts of whole beats at multiples of 16 (docs/interface.md section 8), and
-    this takes no others.
+    this takes no others. At 256 bits a burst may begin in the middle of its first beat, of which the
+    lower half is then not on the bus; a half of a beat whose strobes are 0 is not written.
     """
 
     def __init__(self, axi, timeout=1024):
@@ -53,15 +54,16 @@ class AxiToWishbone(LiteXModule):
             axi.r.last.eq(beats == 1),
         ]
         shift = 2  # bits of an address inside a word
+        places = slice(shift, shift + log2_int(words))  # of a word in its beat
 
         self.fsm = fsm = FSM(reset_state="IDLE")
         fsm.act("IDLE",
-            NextValue(word, 0),
             NextValue(failed, 0),
             NextValue(late, 0),
             If(axi.aw.valid & (~axi.ar.valid | ~wrote),
                 axi.aw.ready.eq(1),
                 NextValue(address, axi.aw.addr[shift:]),
+                NextValue(word, axi.aw.addr[places]),
                 NextValue(beats, axi.aw.len + 1),
                 NextValue(axi.b.id, axi.aw.id),
                 NextValue(writing, 1),
@@ -70,6 +72,7 @@ class AxiToWishbone(LiteXModule):
             ).Elif(axi.ar.valid,
                 axi.ar.ready.eq(1),
                 NextValue(address, axi.ar.addr[shift:]),
+                NextValue(word, axi.ar.addr[places]),
                 NextValue(beats, axi.ar.len + 1),
                 NextValue(axi.r.id, axi.ar.id),
                 *[NextValue(strobe, 0b1111) for strobe in strobes],
