@@ -84,7 +84,7 @@ def ran(checkout):
 
 @pytest.fixture
 def report(checkout):
-    return lambda: json.loads(checkout.text("build/reports/boards.json"))["boards"]
+    return lambda field="boards": json.loads(checkout.text("build/reports/boards.json"))[field]
 
 
 def test_each_board_is_synthesized_routed_and_packed(checkout, run, ran, report):
@@ -101,6 +101,7 @@ def test_each_board_is_synthesized_routed_and_packed(checkout, run, ran, report)
     assert {"--up5k", "sg48", "12", "../synth/boards/icebreaker/icebreaker.pcf"} <= set(second[1])
     assert [(r["board"], r["met"], r["fmax_mhz"], r["used"]) for r in report()] == [
         ("ulx3s", True, 31.0, {"LC": [50, 100]}), ("icebreaker", True, 31.0, {"LC": [50, 100]})]
+    assert report("short") == []
     assert "icebreaker: cg1-fx16-overlapped: 31.0 MHz after routing, 12 wanted: met" in out
     assert (checkout.root / "build/boards/ulx3s/ulx3s.bit").stat().st_size == 10
     before = len(ran())
@@ -126,6 +127,7 @@ def test_a_clock_that_is_not_met_fails(run, stand_in, report):
     assert status == 1
     assert out[0].endswith("11.9 MHz after routing, 12 wanted: NOT MET")
     assert [(r["board"], r["met"]) for r in report()] == [("icebreaker", False)]
+    assert report("short") == ["icebreaker: the clock is not met"]
 
 
 @pytest.mark.parametrize("program, log", (
