@@ -12,6 +12,7 @@ import pathlib
 import signal
 import subprocess
 import sys
+import traceback
 
 from lab.figures.modules import CHARTS, MODULES, TEXTS
 from tools import venv_packages, whole_file
@@ -67,18 +68,23 @@ def show(options):
 
 
 def run(options):
-    """Runs a command that measures, finishes the reports that it has written, and shows them. Its exit status."""
+    """Runs a command that measures, finishes the reports that it has written, and shows them. Its exit status,
+    also where no table can be made of a report: what was measured is there."""
     fresh = results.Results(options.root, modules=MODULES)
     names = options.names.split(",")
     before = {name: _written(fresh.path(name)) for name in names}
     status = _ended(options.command)
     changed = [name for name in names if _written(fresh.path(name)) not in (None, before[name])]
-    for name in changed:
-        if hasattr(MODULES.get(name), "finished"):
-            whole_file.write(fresh.path(name), json.dumps(MODULES[name].finished(fresh)) + "\n")
-    if changed and options.show:
-        options.names = ",".join(changed)
-        show(options)
+    try:
+        for name in changed:
+            if hasattr(MODULES.get(name), "finished"):
+                whole_file.write(fresh.path(name), json.dumps(MODULES[name].finished(fresh)) + "\n")
+        if changed and options.show:
+            options.names = ",".join(changed)
+            show(options)
+    except Exception:  # pylint: disable=broad-exception-caught
+        traceback.print_exc()
+        print(f"figures: {', '.join(changed)}: measured, but not shown: see above", file=sys.stderr)
     return status
 
 

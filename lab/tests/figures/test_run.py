@@ -46,6 +46,14 @@ def test_a_run_that_fails_prints_what_it_wrote(study):
     assert status == 3 and "plate9.png" in text
 
 
+@pytest.mark.parametrize("status", (0, 3))
+def test_a_report_of_which_no_table_is_made_is_kept(checkout, study, status):
+    """Else hours of measuring would go with it."""
+    ended, text = study(report={"plates": [{"file": "plate0.png"}]}, status=status)
+    assert ended == status and text.endswith("figures: plates: measured, but not shown: see above\n")
+    assert "plate0.png" in checkout.text("build/reports/plates.json")
+
+
 def test_nothing_is_printed_where_it_is_asked_not_to_be_or_nothing_was_written(checkout, study):
     assert study("--quiet") == (0, "")
     before = checkout.text("build/reports/plates.json")
