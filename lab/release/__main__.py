@@ -139,7 +139,10 @@ class Release:
             path = fresh / f"{report}.json"
             if not path.is_file():
                 return f"{command} ended with {status} and wrote no {report}.json: {where}"
-            taken[name] = results.read(path)
+            try:
+                taken[name] = results.read(path)
+            except results.RequestError as error:
+                return f"{command} ended with {status}: {error}"
         if status and not any(content.get("short") for content in taken.values()):
             return f"{command} ended with {status}: {where}"
         for name, content in taken.items():
@@ -150,7 +153,7 @@ class Release:
         """What a result lacks to be whole, '' if nothing."""
         try:
             absent = missing(results.Results(self.root, self.folder.relative_to(self.root), MODULES), name)
-        except (results.Missing, results.RequestError, KeyError) as error:
+        except Exception as error:  # pylint: disable=broad-exception-caught
             return f"{name}.json cannot be judged: {error}"
         return f"{name}.json lacks {absent}" if absent else ""
 
@@ -175,17 +178,19 @@ def work(options, root):
     tell(f"{release.version}, commit {release.commit[:12]}: {len(release.studies) - len(left)} of {len(release.studies)} "
          "commands have been run")
     now = [(command, rows) for command, rows in left if only & set(dict(rows))]
-    for number, (command, rows) in enumerate(now, len(release.studies) - len(left) + 1):
-        tell(f"{number} of {len(release.studies)}: {command}")
-        start = time.monotonic()
-        complaint = release.measure(command, rows) or next(filter(None, map(release.lacking, dict(rows))), "")
-        tell(f"{command} took {time.monotonic() - start:.0f} s" + (f": {complaint}" if complaint else ""))
-        if complaint:
-            wrong.append(complaint)
-            for name, _ in rows:
-                release.path(name).unlink(missing_ok=True)
-    for complaint in wrong:
-        print(f"results: {complaint}", file=sys.stderr)
+    try:
+        for number, (command, rows) in enumerate(now, len(release.studies) - len(left) + 1):
+            tell(f"{number} of {len(release.studies)}: {command}")
+            start = time.monotonic()
+            complaint = release.measure(command, rows) or next(filter(None, map(release.lacking, dict(rows))), "")
+            tell(f"{command} took {time.monotonic() - start:.0f} s" + (f": {complaint}" if complaint else ""))
+            if complaint:
+                wrong.append(complaint)
+                for name, _ in rows:
+                    release.path(name).unlink(missing_ok=True)
+    finally:
+        for complaint in wrong:
+            print(f"results: {complaint}", file=sys.stderr)
     if wrong:
         return 1
     if len(now) < len(left):

@@ -118,12 +118,31 @@ def test_variables_of_make_are_not_those_of_a_study(tree, measured, monkeypatch)
     assert tree.text("build/said") == "3\n"
 
 
-def test_a_result_that_cannot_be_judged_is_none(tree, measured):
-    tree.put({"studies.csv": TABLE.replace("a,a,sh study.sh a", "compare,compare,sh study.sh compare")})
+@pytest.mark.parametrize("name, report, why", (
+    ("compare", '{"rows": [{"of": "x"}]}', "'kind'"),
+    ("upsets", '{"rows": [{"top": "x", "hardened": false, "flips": null}]}', "'>=' not supported")))
+def test_a_result_that_cannot_be_judged_is_none(tree, measured, name, report, why):
+    tree.put({"studies.csv": TABLE.replace("a,a,sh study.sh a", f"{name},{name},sh study.sh {name}"),
+              "study.sh": STUDY + f"[ $1 != {name} ] || echo '{report}' > build/reports/{name}.json\n"})
     tree.commit()
-    status, _, (error,), _ = measured("--only", "compare")
-    assert (status, error) == (1, "results: compare.json cannot be judged: 'kind'")
-    assert kept(tree) == []
+    status, _, (error,), ran = measured()
+    assert (status, ran) == (1, [name, "b c"]) and error.startswith(f"results: {name}.json cannot be judged: {why}")
+    assert kept(tree) == ["b.json", "c.json"]
+
+
+def test_a_report_that_is_none_does_not_end_the_others(tree, measured):
+    tree.put({"study.sh": STUDY + "[ $1 != a ] || echo '{' > build/reports/a.json\n"})
+    tree.commit()
+    status, _, (error,), ran = measured()
+    assert (status, ran) == (1, ["a", "b c"]) and re.search("sh study.sh a ended with 0: .*a.json: cannot be read", error)
+
+
+def test_what_went_wrong_is_told_where_a_later_study_ends_all(tree, measured):
+    tree.put({"study.sh": STUDY + "[ $1 != b ] || touch new\n", "build/fails": "a"})
+    tree.commit()
+    status, _, (first, second), _ = measured()
+    assert (status, second) == (2, "results: the tree has a local change, new: commit it first")
+    assert first.startswith("results: sh study.sh a ended with 3 and wrote no a.json")
 
 
 def test_a_change_is_refused(tree, measured):
