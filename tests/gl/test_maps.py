@@ -126,6 +126,20 @@ class Map(GlTest):
         self.assertEqual(asked(gl.GetEval3dv, gl.MAP3_GRID_SEGMENTS, count=3), [1, 1, 1])
         self.assertEqual(asked(gl.GetBlendCoefficientdv, gl.MAP3_U, gl.ORDER, count=1), [0])
 
+    def test_errors_are_raised_at_once_while_a_display_list_is_made(self):
+        number = gl.GenLists(1)
+        self.addCleanup(gl.DeleteLists, number, 1)
+        for error, *call in ((gl.INVALID_VALUE, gl.MapGrid3d, 0, 0, 1, 1, 0, 1, 1, 0, 1),
+                             (gl.INVALID_ENUM, gl.EnableMap3, gl.S),
+                             (gl.INVALID_OPERATION, gl.EvalCoord3d, np.nan, np.inf, 0)):
+            define_cube()
+            if error == gl.INVALID_OPERATION:
+                gl.BlendCoefficientd(gl.MAP3_U, 3, BSPLINE)  # of more points than the cube has
+            gl.NewList(number, gl.COMPILE)
+            raised = error_of(*call)
+            gl.EndList()
+            self.assertEqual((raised, error_of(gl.CallList, number)), (error, gl.NO_ERROR))
+
     def test_blending_functions_are_given_back_floats_of_the_bspline_as_the_bspline(self):
         gl.BlendCoefficientf(gl.MAP3_U, 1, LINEAR)
         gl.BlendCoefficientf(gl.MAP3_V, 3, BSPLINE.astype(np.float32))

@@ -5,8 +5,8 @@
 namespace hwffd::gl {
 
 // How a command raises an error of the current context, for glGetError to report: it makes a call
-// of OpenGL's own that is wrong in the same way and has no effect. Between glBegin and glEnd all
-// of them raise GL_INVALID_OPERATION, as OpenGL's commands do there.
+// of OpenGL's own that is wrong in the same way, has no effect and goes into no display list.
+// Between glBegin and glEnd all of them raise GL_INVALID_OPERATION, as OpenGL's commands do there.
 
 void raise_invalid_value();
 void raise_invalid_enum();
