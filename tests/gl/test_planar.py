@@ -120,6 +120,15 @@ class Stream(GlTest):
             gl.FfdDevice(device.encode())
             self.assert_near(self.drawn(), self.expected, tolerance, device)
 
+    def test_coordinates_beyond_the_cell_are_clamped_on_every_device(self):
+        self.stream[:, :3] = 3 * self.stream[:, :3] - 1
+        supports = self.stream[:, 3:].reshape(VERTICES, 4, 4, 4, 3)
+        expected = [eq1(support, [BSPLINE] * 3, position)
+                    for support, position in zip(supports, self.stream[:, :3].clip(0, 1))]
+        for device, tolerance in {"reference": 2e-6, "model": 2e-6, "model:basic:fx32": 2e-6}.items():
+            gl.FfdDevice(device.encode())
+            self.assert_near(self.drawn(), expected, tolerance, device)
+
     def test_floats_and_primitives(self):
         strip = self.drawn(gl.LINE_STRIP, gl.FLOAT, np.float32)
         self.assert_near(strip, np.repeat(self.expected, 2, axis=0)[1:-1], 1e-6)

@@ -1,5 +1,8 @@
 // glFFD: an interleaved stream straight to the device. glFfdDevice: which device that is.
 
+#include <algorithm>
+#include <cmath>
+
 #include "gl_error.hpp"
 #include "hwffd/glffd.h"
 #include "state.hpp"
@@ -14,7 +17,11 @@ template <class Real>
 std::vector<SupportedVertex> read_stream(const Real* stream, std::size_t count) {
   std::vector<SupportedVertex> vertices(count);
   for (SupportedVertex& vertex : vertices) {
-    for (int axis = 0; axis < 3; ++axis) vertex.local[axis] = static_cast<double>(*stream++);
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto given = static_cast<double>(*stream++);
+      // What is not finite stays so, for the device to refuse.
+      vertex.local[axis] = std::isfinite(given) ? std::clamp(given, 0.0, 1.0) : given;
+    }
     for (int point = 0; point < kSupportPoints; ++point) {
       for (int c = 0; c < 3; ++c) vertex.support(point, c) = static_cast<double>(*stream++);
     }
