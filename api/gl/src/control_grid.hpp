@@ -45,7 +45,8 @@ class ControlGrid {
                   const VolumeBlending& blending, bool derivatives = false) const;
 
   /// Normals of the sheets w = constant of a position with 3 or 4 components: d/du x d/dv of the
-  /// position, of length 1 as OpenGL's evaluators make them; 0 where there is none.
+  /// position, along the axes of the cell, of length 1 as OpenGL's evaluators make them; 0 where
+  /// there is none.
   Values sheet_normals(Device& device, const std::vector<Embedded>& vertices,
                        const VolumeBlending& blending) const;
 

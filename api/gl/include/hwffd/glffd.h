@@ -72,7 +72,8 @@ GLboolean hwffd_glIsEnabledMap3(GLenum cap);
  * of each map's own degree, one cell. */
 void hwffd_glBlendCoefficientf(GLenum axis, GLint degree, const GLfloat* coefficients);
 void hwffd_glBlendCoefficientd(GLenum axis, GLint degree, const GLdouble* coefficients);
-/** GL_ORDER: degree + 1, 0 in the initial state; GL_COEFF: the coefficients as they were given. */
+/** GL_ORDER: degree + 1, 0 in the initial state; GL_COEFF: the coefficients as they were given, but
+ * in double those of the uniform cubic B-spline where they are these within a float's rounding. */
 void hwffd_glGetBlendCoefficientdv(GLenum axis, GLenum query, GLdouble* v);
 
 /* --- Evaluation: attributes go to the current context, the vertex last -------------------------*/
