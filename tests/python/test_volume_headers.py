@@ -159,6 +159,18 @@ def test_files_are_read_whole_or_refused(name, tmp_path):
         (tmp_path / part).write_bytes(others[part])
 
 
+@pytest.mark.parametrize("name, kind", [("LONG", "<i4"), ("ULONG", "<u4"), ("LONG_LONG", "<i8"),
+                                        ("UINT", "<u4"), ("DOUBLE", "<f8")])
+def test_types_of_metaimage_have_the_sizes_that_itk_reads(name, kind, tmp_path):
+    path = tmp_path / "a.mha"
+    header = meta(VALUES).replace(b"MET_SHORT", b"MET_" + name.encode())[:-VALUES.nbytes]
+    path.write_bytes(header + VALUES.astype(kind).tobytes())
+    assert volumes.read(path).values.tolist() == VALUES.tolist()
+    path.write_bytes(path.read_bytes()[:-1])
+    with pytest.raises(hwffd.Error, match="ends after"):
+        volumes.read(path)
+
+
 def test_packed_voxels_without_a_size_are_refused(tmp_path):
     (tmp_path / "a.mha").write_bytes(meta(VALUES, packed=True))
     with pytest.raises(hwffd.Error, match="a.mha: packed voxels without CompressedDataSize"):

@@ -19,7 +19,8 @@ _STRUCTURE = {"ObjectType", "ObjectSubType", "NDims", "BinaryData", "BinaryDataB
               "CenterOfRotation", "AnatomicalOrientation", "ElementSpacing", "ElementSize", "DimSize",
               "HeaderSize", "HeaderSizePerSlice", "ElementNumberOfChannels", "ElementType",
               "ElementDataFile", "ElementMin", "ElementMax"}
-_SIZES = {"CHAR": 1, "UCHAR": 1, "SHORT": 2, "USHORT": 2, "INT": 4, "UINT": 4, "LONG": 8, "ULONG": 8,
+# Of elements in a file, where a long has 4 bytes on every machine.
+_SIZES = {"CHAR": 1, "UCHAR": 1, "SHORT": 2, "USHORT": 2, "INT": 4, "UINT": 4, "LONG": 4, "ULONG": 4,
           "LONG_LONG": 8, "ULONG_LONG": 8, "FLOAT": 4, "DOUBLE": 8}
 _MOST_LINES = 100000
 
