@@ -41,8 +41,16 @@ struct Sample {
 /// interval once there is one. Their names: st* the trial, stx the best, sty the other end.
 class MoreThuente {
  public:
-  MoreThuente(double value, double slope, double step)
-      : start_{0.0, value, slope}, best_(start_), other_(start_), step_(step), high_(5 * step) {}
+  /// @param most  steps from which on none is tried
+  MoreThuente(double value, double slope, double step, double most)
+      : start_{0.0, value, slope},
+        best_(start_),
+        other_(start_),
+        step_(step),
+        most_(most),
+        high_(5 * step),
+        width_(most),
+        width_before_(2 * most) {}
 
   double step() const { return step_; }
   const Sample& best() const { return best_; }
@@ -58,7 +66,7 @@ class MoreThuente {
     if (bracketed_ && (step_ <= low_ || step_ >= high_ || high_ - low_ <= kInterval * high_)) {
       return Next::kFailed;
     }
-    if (step_ >= kMostStep) return Next::kFailed;
+    if (step_ >= most_) return Next::kFailed;
     Sample trial{step_, value, slope};
     if (first_stage_ && value <= best_.value && value > limit) {
       // Of the function less the line that a sufficient decrease is measured by.
@@ -83,7 +91,7 @@ class MoreThuente {
       low_ = step_ + 1.1 * (step_ - best_.step);
       high_ = step_ + 4.0 * (step_ - best_.step);
     }
-    step_ = std::clamp(step_, 0.0, kMostStep);
+    step_ = std::clamp(step_, 0.0, most_);
     if (step_ >= bound_) step_ = best_.step + 0.5 * (bound_ - best_.step);
     if (bracketed_ && (step_ <= low_ || step_ >= high_ || high_ - low_ <= kInterval * high_)) {
       step_ = best_.step;
@@ -181,11 +189,12 @@ class MoreThuente {
 
   Sample start_, best_, other_;
   double step_;
+  double most_;
   double low_ = 0.0;
   double high_;
   double bound_ = std::numeric_limits<double>::infinity();
-  double width_ = kMostStep;
-  double width_before_ = 2 * kMostStep;
+  double width_;
+  double width_before_;
   bool bracketed_ = false;
   bool first_stage_ = true;
 };
@@ -279,7 +288,10 @@ class Minimizer {
     const Vector d = direction();
     const double slope = dot(gradient_, d);
     if (!(slope < 0.0)) return false;
-    MoreThuente search(value_, slope, first_step(d));
+    const double first = first_step(d);
+    // A step whose length is told is as long in any unit of x.
+    const bool told = memory_.empty() && options_.first_step > 0.0;
+    MoreThuente search(value_, slope, first, told ? kMostStep * first : kMostStep);
     Vector x(x_.size());
     Vector gradient(x_.size());
     const double start = value_;

@@ -89,6 +89,32 @@ TEST(Lbfgs, FirstStepIsAsLongAsTold) {
   EXPECT_DOUBLE_EQ(*std::max_element(first.begin(), first.end()), 0.125);
 }
 
+/// A power of two more in x changes no bit of what the minimum is found by.
+TEST(Lbfgs, IteratesAreTheSameInAnyUnit) {
+  const auto in_unit = [](double unit) {
+    LbfgsOptions options = exact();
+    options.gradient /= unit;
+    options.first_step = 0.125 * unit;
+    LbfgsResult result = minimize(
+        [&](Vector x, Vector& gradient) {
+          for (double& number : x) number /= unit;
+          const double value = quadratic(x, gradient);
+          for (double& slope : gradient) slope /= unit;
+          return value;
+        },
+        Vector(30), options);
+    for (double& number : result.x) number /= unit;
+    return result;
+  };
+  const LbfgsResult one = in_unit(1);
+  EXPECT_EQ(one.end, LbfgsEnd::kConverged);
+  for (const double unit : {0x1p-40, 0x1p10, 0x1p40}) {
+    const LbfgsResult other = in_unit(unit);
+    EXPECT_EQ(other.x, one.x) << unit;
+    EXPECT_EQ(other.evaluations, one.evaluations) << unit;
+  }
+}
+
 TEST(Lbfgs, StaysInBounds) {
   // The minimum of -x in x < 2 is at its end.
   int outside = 0;

@@ -225,6 +225,24 @@ TEST(Registration, BitsDoNotDependOnThreads) {
   }
 }
 
+/// Of the same voxels, a nanometre or a kilometre apart.
+TEST(Registration, UnitOfLengthDoesNotMatter) {
+  std::vector<std::vector<double>> results;
+  for (const double unit : {1.0, 0x1p-20, 0x1p20}) {
+    AffineMap map;
+    for (std::size_t a = 0; a < 3; ++a) map.linear[a][a] = unit;
+    const Phantom phantom({32, 28, 24}, 1.0, map);
+    RegistrationOptions options = options_of(8);
+    options.bending_weight = 0.01 * unit * unit;
+    const RegistrationResult result = register_volumes(phantom.fixed(), phantom.moving(), options);
+    EXPECT_TRUE(result.warnings.empty()) << unit;
+    results.push_back(numbers(result.deformed));
+    for (double& number : results.back()) number /= unit;
+  }
+  EXPECT_EQ(results[1], results[0]);
+  EXPECT_EQ(results[2], results[0]);
+}
+
 TEST(Registration, BendingWeightMakesItSmoother) {
   const Phantom phantom({32, 32, 1}, 2.0);
   RegistrationOptions options = options_of(4);
