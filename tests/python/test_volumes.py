@@ -3,6 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import dataclasses
 import inspect
 import warnings
 
@@ -176,6 +177,18 @@ def test_types_of_voxels():
     for part in range(3):
         single = volumes.warp(volumes.Volume(colours[..., part], *where()), lattice)
         np.testing.assert_array_equal(got.values[..., part], single.values)
+
+
+@pytest.mark.parametrize("order", [0, 1, 3])
+@pytest.mark.parametrize("kind", [np.float16, np.longdouble])
+def test_floats_that_scipy_has_not_are_interpolated(kind, order):
+    volume = phantom(kind)
+    same = dataclasses.replace(volume, values=volume.values.astype(np.float64))
+    lattice = volumes.lattice_over(volume, (5, 5, 5))
+    lattice.deform("twist:15")
+    got = volumes.warp(volume, lattice, order=order).values
+    assert got.dtype == kind
+    np.testing.assert_array_equal(got, volumes.warp(same, lattice, order=order).values.astype(kind))
 
 
 def test_labels_of_64_bits_stay():

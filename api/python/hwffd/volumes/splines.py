@@ -32,11 +32,18 @@ def coefficients(values: ArrayLike) -> NDArray[np.float64]:
     values = np.asarray(values)
     if values.dtype.kind not in "iuf" or values.ndim != 3:
         raise UsageError(f"values: {values.ndim} dimensions of {values.dtype}; give three, of numbers")
+    values = _of_scipy(values)
     wrong = values.size - np.count_nonzero(np.isfinite(values))
     if wrong:
         raise Error(f"{wrong} voxels are not finite, and a spline would spread them; fill them, or "
                     "take order 1")
     return ndimage().spline_filter(values, 3, np.float64, "mirror")
+
+
+def _of_scipy(values: NDArray[np.generic]) -> NDArray[np.generic]:
+    """Values in a type that SciPy interpolates, of which halves and long doubles are none."""
+    known = values.dtype.kind != "f" or values.dtype.itemsize in (4, 8)
+    return values if known else values.astype(np.float64)
 
 
 class Sampler:
@@ -46,7 +53,7 @@ class Sampler:
         if order not in ORDERS:
             raise UsageError(f"order {order!r}; one of 0 (nearest), 1 (linear), 3 (cubic)")
         self._order = order
-        self._values = coefficients(values) if order == 3 else values
+        self._values = coefficients(values) if order == 3 else _of_scipy(values) if order == 1 else values
 
     def at(self, indices: NDArray[np.float64]) -> NDArray[np.generic]:
         """At indices (n, 3) along z, y and x, less than half a voxel beyond the outermost ones."""
