@@ -4,8 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numeric>
+#include <unordered_set>
 
 #include "commands.hpp"
 #include "device_options.hpp"
@@ -37,6 +41,42 @@ struct FitCommand {
   FitOptions fit;
 };
 
+/// The row of the positions that each vertex of a file has.
+std::vector<std::uint32_t> rows_of(const Geometry& geometry) {
+  const auto count = static_cast<std::size_t>(geometry.positions().rows());
+  std::vector<std::uint32_t> rows(count);
+  std::iota(rows.begin(), rows.end(), 0U);
+  if (!geometry.is_mesh() || geometry.mesh().vertex_count_read() == count) return rows;
+  const std::vector<std::uint32_t>& numbers = geometry.mesh().numbers();
+  rows.resize(std::size_t{*std::max_element(numbers.begin(), numbers.end())} + 1);
+  for (std::size_t v = 0; v < numbers.size(); ++v) rows[numbers[v]] = geometry.mesh().welded()[v];
+  return rows;
+}
+
+/// Points, and where they shall be.
+struct Pairs {
+  Points points, targets;
+};
+
+/// Vertex n of one file and vertex n of the other. Of meshes a pair counts once, as equal positions
+/// do, which may be others in each.
+Pairs pairs_of(const Geometry& source, const Geometry& target) {
+  const std::vector<std::uint32_t> from = rows_of(source);
+  const std::vector<std::uint32_t> to = rows_of(target);
+  if ((!source.is_mesh() && !target.is_mesh()) || from.size() != to.size()) {
+    return {source.positions(), target.positions()};
+  }
+  std::unordered_set<std::uint64_t> seen;
+  std::vector<std::uint32_t> rows;
+  std::vector<std::uint32_t> target_rows;
+  for (std::size_t v = 0; v < from.size(); ++v) {
+    if (!seen.insert(std::uint64_t{from[v]} << 32 | to[v]).second) continue;
+    rows.push_back(from[v]);
+    target_rows.push_back(to[v]);
+  }
+  return {source.positions()(rows, Eigen::all), target.positions()(target_rows, Eigen::all)};
+}
+
 int run(const FitCommand& options, const StageOptions& stage_options) {
   const std::vector<StageText> texts = stage_options.texts();
   if (texts.size() != 1) throw UsageError("--lattice: fit takes one lattice");
@@ -45,8 +85,8 @@ int run(const FitCommand& options, const StageOptions& stage_options) {
   FitOptions how = options.fit;
   how.loss = parse_loss(options.loss);
 
-  const Points points = Geometry::read(options.source).positions();
-  const Points targets = Geometry::read(options.target).positions();
+  const Geometry source = Geometry::read(options.source);
+  const auto [points, targets] = pairs_of(source, Geometry::read(options.target));
   const std::vector<Stage> stages = make_stages(texts, points);
   DeformableLattice lattice(stages.front().rest, stages.front().family);
   lattice.move(stages.front().deformed.points());

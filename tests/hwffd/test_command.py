@@ -129,6 +129,21 @@ class Command(CommandTest):
             self.assertRegex(result.stderr, r"\Ahwffd: [^\n]+\n\Z")
         self.assertEqual((self.folder / "rest.xyz").read_bytes(), before)
 
+    def test_fit_takes_vertices_of_the_files_one_by_one(self):
+        """Vertices that share a place in one mesh and not in the other."""
+        def write(name, *vertices):
+            lines = "".join(f"v {v}\n" for v in vertices)
+            (self.folder / name).write_text(lines + "f 1 2 3\nf 4 5 6\n")
+
+        write("rest.obj", "0 0 0", "1 0 0", "1 1 0", "0 0 0", "0 1 1", ".3 .2 .7")
+        write("closed.obj", "0 0 0", "1 0 0", "1 0 0", "0 0 0", "0 1 1", ".3 .2 .7")
+        write("other.obj", "0 0 0", "1 0 0", "1 0 0", "0 .1 0", "0 1 1", ".3 .2 .7")
+        for target, count, square in (("rest", 5, 0), ("closed", 5, 1), ("other", 6, 1.01)):
+            self.good("fit", "rest.obj", f"{target}.obj", "--json", "report.json")
+            report = json.loads((self.folder / "report.json").read_text())
+            self.assertEqual((report["points"], report["outside"]), (count, 0), target)
+            self.assertAlmostEqual(report["rms_start"] ** 2, square / count, msg=target)
+
     def test_report(self):
         self.good("deform", "solid.obj", "--deform", "twist:30", "-o", "out.obj", "--json", "r.json")
         report = self.report()
