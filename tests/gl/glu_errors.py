@@ -40,6 +40,7 @@ def axis_cases(axis):
             ("order 0", ORDER, {"order": 0}), ("order 5", ORDER, {"order": 5}),
             ("7 knots for order 4", glu.FFD_TOO_FEW_KNOTS, {"knot_count": 7}),
             ("14 cells", glu.FFD_TOO_MANY_CELLS, {"knot_count": 21}),
+            ("as many knots as there are numbers", glu.FFD_TOO_MANY_CELLS, {"knot_count": 2**31 - 1}),
             ("13 cells", OK, {"knot_count": 20}), ("negative stride", STRIDE, {"stride": -1})):
         yield f"{axis}: {name}", error, {axis + key: value for key, value in changes.items()}
     for name, error, knots in (

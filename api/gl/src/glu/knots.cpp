@@ -19,6 +19,10 @@ Polynomial times_linear(const Polynomial& p, double a, double b) {
 Knots::Knots(int order, int count, const float* knots) : order_(order) {
   if (order < 1 || order > gl::AxisBlending::kMaxDegree + 1) throw GluError{GLU_FFD_INVALID_ORDER};
   if (count < 2 * order) throw GluError{GLU_FFD_TOO_FEW_KNOTS};
+  // Uniform knots may be more than memory holds, and have no other mistake.
+  if (knots == nullptr && count - 2 * order >= gl::AxisBlending::kMaxCells) {
+    throw GluError{GLU_FFD_TOO_MANY_CELLS};
+  }
   for (int i = 0; i < count; ++i) knots_.push_back(knots == nullptr ? i : knots[i]);
   check();
   if (cells() > gl::AxisBlending::kMaxCells) throw GluError{GLU_FFD_TOO_MANY_CELLS};
