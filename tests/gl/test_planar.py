@@ -97,6 +97,26 @@ class Planar(GlTest):
                                (gl.VERTEX_ARRAY, [0])):
             self.assertEqual(asked(gl.GetDoublev, name, count=len(expected)), expected)
 
+    def test_full_stacks_stay_as_they_are(self):
+        gl.MapGrid3d(1, 0, 1, 1, 0, 1, 1, 0, 1)
+        for push, pop, group, depth, most in (
+                (gl.PushAttrib, gl.PopAttrib, gl.LINE_BIT, gl.ATTRIB_STACK_DEPTH, gl.MAX_ATTRIB_STACK_DEPTH),
+                (gl.PushClientAttrib, gl.PopClientAttrib, gl.CLIENT_PIXEL_STORE_BIT,
+                 gl.CLIENT_ATTRIB_STACK_DEPTH, gl.MAX_CLIENT_ATTRIB_STACK_DEPTH)):
+            count = int(asked(gl.GetDoublev, most, count=1)[0])
+            for _ in range(count):
+                push(group)
+            gl.LineWidth(3)
+            gl.PixelStorei(gl.PACK_ALIGNMENT, 2)
+            raised = []
+            vertices = seen(lambda: raised.append(error_of(gl.EvalMesh3, gl.POINT, 0, 1, 0, 1, 0, 1)))
+            kept = [asked(gl.GetDoublev, name, count=1)[0] for name in (depth, gl.LINE_WIDTH, gl.PACK_ALIGNMENT)]
+            for _ in range(count):
+                pop()
+            gl.LineWidth(1)
+            gl.PixelStorei(gl.PACK_ALIGNMENT, 4)
+            self.assertEqual((raised, len(vertices), kept), ([gl.STACK_OVERFLOW], 0, [count, 3, 2]))
+
 
 class Stream(GlTest):
     def setUp(self):

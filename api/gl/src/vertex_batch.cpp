@@ -5,11 +5,32 @@
 namespace hwffd::gl {
 namespace {
 
+bool has_room(GLenum depth, GLenum most) {
+  GLint used = 0;
+  GLint all = 0;
+  glGetIntegerv(depth, &used);
+  glGetIntegerv(most, &all);
+  return used < all;
+}
+
+/// Whether OpenGL's stacks take what a draw pushes; else raises GL_STACK_OVERFLOW.
+bool stacks_have_room() {
+  if (!has_room(GL_ATTRIB_STACK_DEPTH, GL_MAX_ATTRIB_STACK_DEPTH)) {
+    glPushAttrib(0);
+    return false;
+  }
+  if (!has_room(GL_CLIENT_ATTRIB_STACK_DEPTH, GL_MAX_CLIENT_ATTRIB_STACK_DEPTH)) {
+    glPushClientAttrib(0);
+    return false;
+  }
+  return true;
+}
+
 /// State, vertex array and buffer of one draw; the context gets its own back afterwards.
 class Buffers {
  public:
-  explicit Buffers(std::size_t numbers) {
-    glPushAttrib(GL_CURRENT_BIT);
+  Buffers(std::size_t numbers, GLbitfield attributes) {
+    glPushAttrib(GL_CURRENT_BIT | attributes);
     glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
     glGenVertexArrays(1, &array_);
     glBindVertexArray(array_);
@@ -70,9 +91,13 @@ void VertexBatch::issue(std::size_t number) const {
   if (vertex.size == 4) glVertex4fv(vertex.of(number));
 }
 
-void VertexBatch::draw(GLenum mode, const Primitives& primitives) const {
+void VertexBatch::draw(GLenum mode, const Primitives& primitives, GLbitfield attributes,
+                       const std::function<void()>& set) const {
+  if (!stacks_have_room()) return;
   Buffers buffers(color.values.size() + index.values.size() + normal.values.size() +
-                  tex_coord.values.size() + vertex.values.size());
+                      tex_coord.values.size() + vertex.values.size(),
+                  attributes);
+  if (set) set();
   buffers.add(GL_COLOR_ARRAY, color,
               [](int size, const void* at) { glColorPointer(size, GL_FLOAT, 0, at); });
   buffers.add(GL_INDEX_ARRAY, index, [](int, const void* at) { glIndexPointer(GL_FLOAT, 0, at); });

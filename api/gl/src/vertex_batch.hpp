@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "control_grid.hpp"
@@ -33,8 +34,11 @@ class VertexBatch {
   /// the vertex last, as glEvalCoord does.
   void issue(std::size_t number) const;
 
-  /// Draws through vertex buffers and leaves the context's state as it was.
-  void draw(GLenum mode, const Primitives& primitives) const;
+  /// Draws through vertex buffers and leaves the context's state as it was. Where the context's
+  /// stacks of attributes are full it raises GL_STACK_OVERFLOW and draws nothing.
+  /// @param attributes  groups of attributes that `set` changes for the draw
+  void draw(GLenum mode, const Primitives& primitives, GLbitfield attributes = 0,
+            const std::function<void()>& set = nullptr) const;
 };
 
 }  // namespace hwffd::gl

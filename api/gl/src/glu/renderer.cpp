@@ -143,12 +143,13 @@ void GLUffd::end() {
 }
 
 void GLUffd::draw(const hwffd::gl::VertexBatch& batch, const std::vector<GLuint>& elements) const {
-  glPushAttrib(GL_LINE_BIT | GL_POINT_BIT | GL_POLYGON_BIT);
-  glLineWidth(property(GLU_FFD_LINE_WIDTH));
-  glPointSize(property(GLU_FFD_POINT_SIZE));
-  glPolygonMode(GL_FRONT_AND_BACK, static_cast<GLenum>(property(GLU_FFD_DISPLAY_MODE)));
-  batch.draw(static_cast<GLenum>(property(GLU_FFD_PRIMITIVE)), {elements});
-  glPopAttrib();
+  batch.draw(static_cast<GLenum>(property(GLU_FFD_PRIMITIVE)), {elements},
+             GL_LINE_BIT | GL_POINT_BIT | GL_POLYGON_BIT, [this] {
+               glLineWidth(property(GLU_FFD_LINE_WIDTH));
+               glPointSize(property(GLU_FFD_POINT_SIZE));
+               glPolygonMode(GL_FRONT_AND_BACK,
+                             static_cast<GLenum>(property(GLU_FFD_DISPLAY_MODE)));
+             });
 }
 
 void GLUffd::call_back(const hwffd::gl::VertexBatch& batch,
