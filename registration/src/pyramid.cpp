@@ -180,6 +180,18 @@ Volume smoothed(const Volume& volume) {
           std::vector<std::uint8_t>(mask, mask + volume.size())};
 }
 
+Volume filled(const Volume& volume) {
+  const std::uint8_t* const mask = volume.mask();
+  if (mask == nullptr) return volume;
+  const Volume smooth = smoothed(volume);
+  std::vector<float> values(smooth.values(), smooth.values() + volume.size());
+  for (std::size_t at = 0; at < values.size(); ++at) {
+    if (mask[at] != 0) values[at] = volume.values()[at];
+  }
+  return {volume.name(), volume.counts(), std::move(values), volume.to_point(),
+          std::vector<std::uint8_t>(mask, mask + volume.size())};
+}
+
 int most_levels(const Index3& counts) {
   int levels = 1;
   Index3 now = counts;

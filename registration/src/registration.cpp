@@ -234,6 +234,8 @@ class Registration {
     if (options.smooth) {
       fixed_levels_.back().volume = smoothed(fixed);
       moving_levels_.back().volume = smoothed(moving);
+    } else {
+      moving_levels_.back().volume = filled(moving);
     }
     while (static_cast<int>(moving_levels_.size()) < levels_) {
       moving_levels_.insert(moving_levels_.begin(), moving_levels_.front());

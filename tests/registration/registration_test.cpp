@@ -403,6 +403,29 @@ TEST(Registration, MaskedVoxelsCountForNothing) {
   EXPECT_LT(phantom.error(result.deformed, 9), 0.1);
 }
 
+/// Smoothed or sharp, not even between voxels.
+TEST(Registration, ValuesOfMaskedVoxelsChangeNoBit) {
+  const Phantom phantom({40, 36, 1}, 1.5);
+  const Volume clean = phantom.moving();
+  std::vector<float> values(clean.values(), clean.values() + clean.size());
+  std::vector<std::uint8_t> mask(values.size(), 1);
+  for (std::size_t n = 0; n < values.size(); ++n) {
+    if (n % 40 >= 8 && n / 40 >= 6) continue;
+    mask[n] = 0;
+    values[n] = 1e6F;
+  }
+  for (const bool smooth : {true, false}) {
+    RegistrationOptions options = options_of(10);
+    options.smooth = smooth;
+    const auto registered = [&](const std::vector<float>& of_moving) {
+      const Volume moving("moving image", clean.counts(), of_moving, {}, mask);
+      return numbers(register_volumes(phantom.fixed(), moving, options).deformed);
+    };
+    EXPECT_EQ(registered(values), registered({clean.values(), clean.values() + clean.size()}))
+        << smooth;
+  }
+}
+
 /// The least part of the voxels that count at the beginning of a level that do at its steps.
 double least_overlap(const RegistrationResult& result) {
   double least = 1.0;

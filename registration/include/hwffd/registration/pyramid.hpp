@@ -30,6 +30,10 @@ Volume halved(const Volume& volume, const std::array<bool, 3>& axes);
 /// mask only voxels that count, as halved() does.
 Volume smoothed(const Volume& volume);
 
+/// A volume whose voxels that do not count have what smoothed() gives them of neighbours that do,
+/// and the others what they had: between voxels nothing is seen of what does not count.
+Volume filled(const Volume& volume);
+
 /// The image pyramid of a volume: `levels` volumes, the coarsest first, the last the volume itself.
 /// Each is halved() from the next along the axes that have at least kFewestHalved voxels after it;
 /// others stay, such as the one slice of an image of two dimensions.
