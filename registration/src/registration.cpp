@@ -50,6 +50,13 @@ std::array<double, 3> voxel_lengths(const Volume& volume) {
   return result;
 }
 
+/// A length rounded up, to three digits at least.
+double rounded_up(double length) {
+  double unit = 1e-3;
+  while (unit > length / 100) unit /= 10;
+  return std::ceil(length / unit) * unit;
+}
+
 /// The cells of an axis at the finest level, and how often they can be halved.
 struct AxisCells {
   int finest, halvings;
@@ -81,11 +88,10 @@ AxisCells cells_along(const Volume& fixed, const RegistrationOptions& options, s
   const double finest = std::ldexp(coarsest, halvings);
   if (finest > kMost) {
     const int most = (kMost >> halvings) << halvings;
-    throw Error(
-        fmt::format("spacing {:.6g}{} along {}: {:.0f} control points, more than {} an axis; give "
-                    "{:.6g} or more",
-                    spacing, of, "ijk"[axis], finest + 3, Lattice::kMaxPoints,
-                    std::ceil(1000 * size / most) / 1000));
+    throw Error(fmt::format(
+        "spacing {:.6g}{} along {}: {:.0f} control points, more than {} an axis; give "
+        "{:.6g} or more",
+        spacing, of, "ijk"[axis], finest + 3, Lattice::kMaxPoints, rounded_up(size / most)));
   }
   return {static_cast<int>(finest), halvings};
 }

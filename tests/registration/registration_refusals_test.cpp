@@ -67,6 +67,16 @@ TEST(RegistrationRefusals, Spacing) {
                "more");
   options.spacing[0] = 1.64;
   EXPECT_EQ(cell_counts(large, options, 0)[0], 61);
+  AffineMap micrometres;
+  for (std::size_t a = 0; a < 3; ++a) micrometres.linear[a][a] = 1e-6;
+  const Volume small = Phantom({100, 8, 8}, 1.0, micrometres).fixed();
+  options.spacing = {1.5e-6, 4e-6, 4e-6};
+  options.spacing_in_voxels = false;
+  EXPECT_ERROR(register_volumes(small, small, options),
+               "spacing 1.5e-06 along i: 70 control points, more than 64 an axis; give 1.64e-06 or "
+               "more");
+  options.spacing[0] = 1.64e-6;
+  EXPECT_EQ(cell_counts(small, options, 0)[0], 61);
 }
 
 TEST(RegistrationRefusals, Levels) {
