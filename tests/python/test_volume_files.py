@@ -56,6 +56,15 @@ def test_files_come_back(suffix, kind, tmp_path):
     assert image.GetSize() == volume.counts
 
 
+@pytest.mark.parametrize("stem", ["a" * 247, "\N{CJK UNIFIED IDEOGRAPH-6CE2}" * 82])
+@pytest.mark.parametrize("suffix", [".nrrd", ".nii.gz"])
+def test_names_may_be_as_long_as_they_can_be(stem, suffix, tmp_path):
+    volume = phantom()
+    volumes.write(tmp_path / f"{stem}{suffix}", volume)
+    assert (volumes.read(tmp_path / f"{stem}{suffix}").values == volume.values).all()
+    assert len(list(tmp_path.iterdir())) == 1
+
+
 def test_any_order_of_bytes_and_what_itk_has_not(tmp_path):
     values = np.arange(60).reshape(3, 4, 5)
     for kind in ">i2", "<i2", ">f4", ">f8", ">u8":

@@ -140,7 +140,7 @@ def write_all(volumes: Mapping[os.PathLike[str] | str, Volume],
             place = pathlib.Path(path).resolve()
             if _FORMATS[_suffix_of(place.name)] is nifti:
                 nifti.check_directions(path, volume.direction)
-            folder = pathlib.Path(tempfile.mkdtemp(prefix=f".{place.name}.", dir=place.parent))
+            folder = _folder_beside(place)
             folders.append((folder, place))
             _write_to(folder, place.name, volume)
             held = _FORMATS[_suffix_of(place.name)].read(folder / place.name).fields
@@ -148,7 +148,7 @@ def write_all(volumes: Mapping[os.PathLike[str] | str, Volume],
         for path, write_new in (others or {}).items():
             check_place(path)
             place = pathlib.Path(path).resolve()
-            folder = pathlib.Path(tempfile.mkdtemp(prefix=f".{place.name}.", dir=place.parent))
+            folder = _folder_beside(place)
             folders.append((folder, place))
             _write_other(folder, place.name, write_new)
         for folder, place in folders:
@@ -163,6 +163,11 @@ def write_all(volumes: Mapping[os.PathLike[str] | str, Volume],
     for path, names in dropped.items():
         if names:
             warnings.warn(f"{path}: dropped: {', '.join(names)}", UserWarning, stacklevel=3)
+
+
+def _folder_beside(place: pathlib.Path) -> pathlib.Path:
+    """A new folder beside a file, whose own name may be as long as names can be."""
+    return pathlib.Path(tempfile.mkdtemp(prefix=f".{place.name[:50]}.", dir=place.parent))
 
 
 def _write_to(folder: pathlib.Path, name: str, volume: Volume) -> None:
