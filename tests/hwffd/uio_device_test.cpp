@@ -4,7 +4,9 @@
 // are tested, by files of a folder of the test; the interrupt of a real uioN is not.
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <sys/socket.h>
 #include <sys/time.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -12,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <thread>
 
 #include "device/core_access.hpp"
 #include "device/patient_poll.hpp"
@@ -246,6 +249,33 @@ TEST(UioDevice, RefusesInALine) {
               board.system.memory.fail_read(1, 0, cores::kAxiSlverr);
             }).substr(0, 50),
             "uio:0: 0 of 32 results came, ERROR_STATUS 0x8000 a");
+}
+
+/// Files that this process has open.
+std::ptrdiff_t open_files() {
+  return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {});
+}
+
+// A process that listens, and ends before it says what it serves.
+TEST(SocketAccess, ThatFailsLeavesNoSocketOpen) {
+  const TempFolder folder;
+  const std::string path = folder / "core";
+  sockaddr_un place{};
+  place.sun_family = AF_UNIX;
+  ASSERT_LT(path.size(), sizeof(place.sun_path));
+  path.copy(place.sun_path, path.size());
+  const std::ptrdiff_t before = open_files();
+  const int listening = socket(AF_UNIX, SOCK_STREAM, 0);
+  ASSERT_EQ(bind(listening, reinterpret_cast<const sockaddr*>(&place), sizeof(place)), 0);
+  ASSERT_EQ(listen(listening, 1), 0);
+  std::thread process([listening] {
+    close(accept(listening, nullptr, nullptr));
+    close(listening);
+  });
+  EXPECT_EQ(refusal([&] { socket_access(path); }),
+            "socket:" + path + ": the process that serves the core has ended");
+  process.join();
+  EXPECT_EQ(open_files(), before);
 }
 
 /// A timer's signals, a few milliseconds apart, which end every call that waits.

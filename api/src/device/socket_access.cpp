@@ -22,7 +22,12 @@ class SocketAccess final : public CoreAccess {
     connect_to(path);
     set_patience(kAnswerSeconds);
     std::array<std::uint64_t, 2> place{};
-    receive(place.data(), sizeof(place));
+    try {
+      receive(place.data(), sizeof(place));
+    } catch (const Error&) {
+      close(socket_);
+      throw;
+    }
     address_ = place[0];
     bytes_ = place[1];
   }
