@@ -102,6 +102,40 @@ TEST(DeviceFaults, ResultsThatWereNotAskedForAreAFault) {
   }
 }
 
+/// A model with pages that fails once, and says that its reset has failed, too.
+class FailingStream final : public CommandStream {
+ public:
+  FailingStream(const Configuration& row, const bool& fails)
+      : model_(model_stream(row, kStore)), fails_(fails) {}
+
+  std::vector<Beat> run(const std::vector<Beat>& commands, std::size_t results,
+                        const Progress& progress, std::size_t steps) override {
+    if (fails_) throw Error("no answer");
+    return model_->run(commands, results, progress, steps);
+  }
+  void reset() override {
+    model_->reset();
+    if (fails_) throw Error("no reset");
+  }
+  PointStore store() const override { return kStore; }
+
+ private:
+  static constexpr PointStore kStore{7, 4, false};
+  std::unique_ptr<CommandStream> model_;
+  const bool& fails_;
+};
+
+TEST(DeviceFaults, PagesAreSentAgainAfterAResetThatFails) {
+  const Configuration& row = find_configuration("basic-fx18-overlapped");
+  bool fails = false;
+  StreamDevice device("failing", row, std::make_unique<FailingStream>(row, fails));
+  const Points good = device.evaluate(box(), places(20));
+  fails = true;
+  EXPECT_THROW(device.evaluate(box(), places(20)), Error);
+  fails = false;
+  EXPECT_EQ(device.evaluate(box(), places(20)), good);
+}
+
 TEST(DeviceFaults, NumbersThatAFormatDoesNotHoldAreNoResults) {
   const Points far = box().points() * 1e39;
   const Lattice lattice({5, 5, 5}, far);

@@ -113,8 +113,8 @@ std::vector<Beat> StreamDevice::answer(const std::vector<Beat>& commands, const 
         shows() ? CommandStream::kStepsSeen : 1);
     check(beats, asked, each);
   } catch (...) {
+    if (pages_) pages_->forget();  // a reset that fails may have been one
     stream_->reset();
-    if (pages_) pages_->forget();
     throw;
   }
   for (const Beat& beat : beats) {
