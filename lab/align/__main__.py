@@ -153,9 +153,10 @@ def work_on(options):
     if len(options.program) < len(programs.PROGRAMS) and path.is_file():
         study.join(json.loads(path.read_text(encoding="utf-8")))
     study.report["aims"] = report.aims(study.report)
+    study.report["short"] = report.faults(study.report)
     whole_file.write(path, json.dumps(study.report, indent=2) + "\n")
     print(f"wrote {path}")
-    return report.faults(study.report)
+    return study.report["short"]
 
 
 def main():
