@@ -109,7 +109,7 @@ class Planar(GlTest):
             gl.LineWidth(3)
             gl.PixelStorei(gl.PACK_ALIGNMENT, 2)
             raised = []
-            vertices = seen(lambda: raised.append(error_of(gl.EvalMesh3, gl.POINT, 0, 1, 0, 1, 0, 1)))
+            vertices = seen(lambda raised=raised: raised.append(error_of(gl.EvalMesh3, gl.POINT, 0, 1, 0, 1, 0, 1)))
             kept = [asked(gl.GetDoublev, name, count=1)[0] for name in (depth, gl.LINE_WIDTH, gl.PACK_ALIGNMENT)]
             for _ in range(count):
                 pop()
