@@ -103,8 +103,9 @@ TEST(Events, HaveTheirNamesAndThePlaceOfTheLowest) {
     if (full && !was_full) events |= HWFFD_ERROR_STATUS_RESULT_OVERFLOW_MASK;  // once an area
     ASSERT_EQ(dut.error_event_o, events) << "clock " << clock;
     ASSERT_EQ(dut.error_any_o != 0, events != 0) << "clock " << clock;
-    ASSERT_EQ(dut.error_packet_o, core != 0 ? core_packet : 0);
-    ASSERT_EQ(dut.error_beat_o, core != 0 ? core_beat : 0);
+    const std::uint32_t lowest = events & (~events + 1);
+    ASSERT_EQ(dut.error_packet_o, (lowest & of_core) != 0 ? core_packet : 0) << "clock " << clock;
+    ASSERT_EQ(dut.error_beat_o, (lowest & of_core) != 0 ? core_beat : 0) << "clock " << clock;
     const bool any = dma.read != 0 || dma.write != 0;
     ASSERT_EQ(dut.error_address_valid_o != 0, any);
     const bool by_read = dma.read != 0 && (dma.write == 0 || of_read <= of_write);
