@@ -33,6 +33,7 @@ using scatter::kPosition;
 using scatter::kWidth;
 using scatter::random_row;
 using scatter::scatter_of;
+using scatter::words_of;
 using test::share_of;
 
 using Row = std::vector<GradientWords>;
@@ -333,6 +334,36 @@ TEST(ScatterRows, SumsOfLayersWrap) {
   std::int64_t sum = 0;
   for (std::size_t point = 0; point < 64; ++point) sum += page.sum(point, 2);
   EXPECT_EQ(sum, (std::int64_t{1} << 35) - (kVertices << (kWidth - 1)));
+}
+
+// Functions of no family may leave that bound with half as many vertices as a page counts. They sum
+// to one, and no layer saturates; but the sum of two layers wraps, and nothing tells.
+TEST(ScatterRows, SumsOfOtherFunctionsMayWrapAndNothingTells) {
+  const WordCodec codec("fx17");
+  const auto model = scatter_of("bspline");
+  AxisWords words = words_of("constant", codec);
+  constexpr std::uint32_t kMost = 0x7F5C0000;  // 1.99
+  words.word[0] = {kMost, 0, 0, 0};
+  words.word[1] = words.word[2] = {0, 0, 0, 0};
+  words.word[3] = {(1U << 30) - kMost, 0, 0, 0};
+  for (int axis = 0; axis < 3; ++axis) model->load(axis, words);
+  GradientWords vertex;
+  vertex.gradient = {0x7FFF0000, 0, 0};
+  const VertexLayers layers = model->layers(vertex);
+  EXPECT_FALSE(layers.saturated);
+  ScatterPage page(kWidth, {4, 4, 4});
+  ScatterRow row(*model);
+  const std::int64_t vertices = model::scatter_most_vertices(kWidth) / 4;
+  std::int64_t exact = 0;
+  for (int rows = 0; rows < 2; ++rows) {
+    for (std::int64_t v = 0; v < vertices; ++v) page.count(row.add(vertex));
+    for (const bool saturated : row.end(page)) EXPECT_FALSE(saturated);
+    if (rows == 0) exact = 2 * page.sum(0, 0);
+  }
+  EXPECT_GT(exact, kSumTop);
+  EXPECT_EQ(page.sum(0, 0), exact - (std::int64_t{1} << 35));
+  EXPECT_FALSE(page.overflowed());
+  EXPECT_FALSE(page.saturated());
 }
 
 /// The sum of the errors of a component over all points of a row, in units of a part, against
