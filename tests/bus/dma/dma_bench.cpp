@@ -20,6 +20,11 @@ AssertionResult verdict(const std::string& wrong) {
   return wrong.empty() ? AssertionSuccess() : AssertionFailure() << wrong;
 }
 
+/// Whether the bus answered with an error.
+bool of_bus(const DmaError& error) {
+  return error.valid && (error.code == kSlaveError || error.code == kDecodeError);
+}
+
 }  // namespace
 
 const std::vector<BadDescriptor>& bad_descriptors() {
@@ -118,6 +123,7 @@ void DmaBench::observe() {
   halted_early_ += status.halted && (both_ran_ || !memory.quiet());
   halted_cleared_ += status.halted && just_cleared;
   both_ran_ = status.ring_running && status.result_running;
+  bus_errors_ += of_bus(status.read_error) || of_bus(status.write_error);  // both: one fault
   note(status.read_error, read_errors_);
   note(status.write_error, write_errors_);
 }
@@ -125,7 +131,6 @@ void DmaBench::observe() {
 void DmaBench::note(const DmaError& error, std::vector<DmaError>& errors) {
   if (!error.valid) return;
   errors.push_back(error);
-  bus_errors_ += error.code == kSlaveError || error.code == kDecodeError;
 }
 
 void DmaBench::run(std::uint64_t cycles) {
@@ -249,7 +254,8 @@ std::string DmaBench::faults() {
   std::string text;
   if (stream_faults_ != 0) text += fmt::format("{} stream faults\n", stream_faults_);
   if (size_.timeout == 0 && fault_pulses_ != bus_errors_) {
-    text += fmt::format("{} faults for {} errors of the bus\n", fault_pulses_, bus_errors_);
+    text += fmt::format("{} faults for {} clocks with an error of the bus\n", fault_pulses_,
+                        bus_errors_);
   }
   if (size_.timeout == 0 && halted_early_ != 0)
     text += "halted while both halves run or a burst is open\n";
