@@ -4,7 +4,7 @@
 // without, its beats go to the stream, `last` on the last one, and finished_o says that all came;
 // finished_mark_o (with MARKS), that it had s_request_mark.
 // Addresses are checked and cut by ffd_dma_address. An address goes out only when the FIFO has room
-// for the whole burst, so m_axi_rready is 1 from the first clock after reset on. One ID: answers
+// for the whole burst, so m_axi_rready is 1 from the second clock after reset on. One ID: answers
 // come in order; a queue of OUTSTANDING bursts says what each is.
 //
 // Bus error: error_o with code (6 SLVERR, 7 DECERR) and address of the burst. From fault_o on, a
