@@ -104,6 +104,14 @@ def test_a_fit_stops_and_weights_count():
     assert result["largest"] == result["distances"][0] < 1e-6 < result["distances"].max()
 
 
+def test_progress_that_uses_the_lattice_is_refused():
+    """It would wait for the fit that waits for it."""
+    points, lattice, targets = scene()
+    with pytest.raises(hwffd.Error, match="at work in a call of this thread"):
+        hwffd.fit(lattice, points, targets, progress=lambda *_: lattice.folds())
+    np.testing.assert_array_equal(lattice.control_points, lattice.rest_points)
+
+
 def test_model_fits_too():
     points, lattice, targets = scene(100, (4, 4, 4))
     lattice.set_device("model", "affine", "fx17")

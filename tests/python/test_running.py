@@ -123,3 +123,16 @@ def test_bits_do_not_depend_on_the_number_of_threads(device, many):
     for other in results[1:]:
         for a, b in zip(results[0], other):
             np.testing.assert_array_equal(a, b)
+
+
+def test_a_handler_of_a_signal_that_uses_the_lattice_at_work_is_refused(many):
+    lattice = ball()
+    before = signal.signal(signal.SIGALRM, lambda *_: lattice.dims)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.1)
+        with pytest.raises(hwffd.Error, match="at work in a call of this thread"):
+            lattice.embed(many)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    assert len(lattice.embed(many[:10])) == 10

@@ -70,7 +70,8 @@ void bind_fit(py::module_& module) {
       "iterations, evaluations, stopped and folds.\n\nloss: squares, or huber or geman-mcclure, to "
       "which points farther than scale from their targets are outliers. penalty: weight of the "
       "bending energy, of a box of B-splines. ridge: of the control points' moves. weights: of the "
-      "points. progress: called with iteration and objective; False ends.");
+      "points. progress: called with iteration and objective, and may not use the lattice; False "
+      "ends.");
   module.def("losses", &loss_names, "The names of losses that a fit takes.");
 }
 

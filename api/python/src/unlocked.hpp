@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <mutex>
+#include <thread>
 
 #include "hwffd/error.hpp"
 #include "hwffd/on_threads.hpp"
@@ -29,7 +30,7 @@ class Unlocked {
   Watch watch_;
 };
 
-/// A mutex that knows of which process the thread is that has it.
+/// A mutex that knows which thread of which process has it.
 class OwnedMutex {
  public:
   void lock() {
@@ -44,8 +45,12 @@ class OwnedMutex {
   }
   void unlock() {
     owner_ = kNobody;
+    holder_ = std::thread::id();
     mutex_.unlock();
   }
+
+  /// Whether this thread has it, which would wait for itself.
+  bool is_mine() const { return owner_ == fork_count() && holder_ == std::this_thread::get_id(); }
 
   /// Whether a thread has it that this process was forked without.
   bool orphaned() const { return owner_ != kNobody && owner_ != fork_count(); }
@@ -53,17 +58,26 @@ class OwnedMutex {
  private:
   static constexpr unsigned kNobody = ~0U;
 
-  void take() { owner_ = fork_count(); }
+  void take() {
+    holder_ = std::this_thread::get_id();
+    owner_ = fork_count();
+  }
 
   std::timed_mutex mutex_;
   std::atomic<unsigned> owner_{kNobody};
+  std::atomic<std::thread::id> holder_{};
 };
 
 /// A mutex that is waited for without the interpreter's lock, and no longer than until Ctrl-C.
 class Turn {
  public:
-  /// @throws Error if no thread of this process will ever unlock it
+  /// @throws Error if no thread of this process will ever unlock it, or none but this one
   explicit Turn(OwnedMutex& mutex) : lock_(mutex, std::defer_lock) {
+    if (mutex.is_mine()) {
+      throw Error(
+          "this lattice is at work in a call of this thread; in progress= and in handlers of "
+          "signals use a copy, made before");
+    }
     while (!lock_.try_lock_for(std::chrono::milliseconds(50))) {
       if (mutex.orphaned()) {
         throw Error(
