@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <cstring>
+#include <limits>
 
 #include "c_guard.hpp"
 #include "hwffd/lattice/coordinates.hpp"
@@ -48,6 +50,25 @@ void check(const hwffd_view* view, const char* name) {
   need(static_cast<const char*>(view->data), fmt::format("{}: data", name).c_str(), view->count);
 }
 
+/// Whether a coordinate of a point lies on another one of another point, where points and
+/// coordinates are at least `size` bytes apart.
+bool points_meet(const hwffd_view& view, std::ptrdiff_t size) {
+  constexpr std::ptrdiff_t kFarthest = std::numeric_limits<std::ptrdiff_t>::max() / 4;
+  if (std::abs(view.coordinate_bytes) > kFarthest) return false;
+  const auto points = static_cast<std::ptrdiff_t>(view.count);
+  for (const std::ptrdiff_t bytes : {view.coordinate_bytes, 2 * view.coordinate_bytes}) {
+    // Of the two points that are the nearest.
+    const std::ptrdiff_t steps = bytes / view.point_bytes;
+    const std::ptrdiff_t rest = bytes % view.point_bytes;
+    const std::ptrdiff_t more = (rest < 0) == (view.point_bytes < 0) ? 1 : -1;
+    if (std::abs(steps) < points && std::abs(rest) < size) return true;
+    if (std::abs(steps + more) < points && std::abs(rest - more * view.point_bytes) < size) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 Points read_view(const hwffd_view* view, const char* name) {
@@ -67,6 +88,12 @@ void check_room(const hwffd_view* view, const char* name, std::size_t count) {
     throw UsageError(
         fmt::format("{}: numbers {} and {} bytes apart lie on each other; give at least {}", name,
                     view->point_bytes, view->coordinate_bytes, size));
+  }
+  if (count > 1 && points_meet(*view, size)) {
+    throw UsageError(fmt::format(
+        "{}: points {} bytes apart with coordinates {} bytes apart lie on each other; give each "
+        "number a place of its own",
+        name, view->point_bytes, view->coordinate_bytes));
   }
 }
 

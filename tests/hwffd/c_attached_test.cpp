@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <memory>
@@ -211,6 +212,33 @@ TEST_F(CAttached, ViewsThatAreNoneAreRefused) {
   view = to;
   view.point_bytes = 0;
   refused(&points_, &view, "out: numbers 0 and 8 bytes apart lie on each other; give at least 8");
+}
+
+TEST_F(CAttached, NumbersOfTwoPointsInOnePlaceAreRefused) {
+  const auto status = [&](std::size_t count, ptrdiff_t point_bytes, ptrdiff_t coordinate_bytes) {
+    std::vector<char> bytes(2000);
+    const hwffd_view points = hwffd_packed(HWFFD_FLOAT64, kPoints.data(), count);
+    const hwffd_view out{bytes.data() + 1000, count, HWFFD_FLOAT64, point_bytes, coordinate_bytes};
+    return hwffd_deform_view(lattice_.get(), &points, &out);
+  };
+  for (std::size_t count = 1; count <= kCount; ++count) {
+    for (ptrdiff_t point = -100; point <= 100; point += 4) {
+      for (ptrdiff_t coordinate = -48; coordinate <= 48; coordinate += 4) {
+        bool apart = true;
+        for (std::size_t a = 0; a < 3 * count; ++a) {
+          for (std::size_t b = 0; b < a; ++b) {
+            const auto place = [&](std::size_t n) {
+              return static_cast<ptrdiff_t>(n / 3) * point +
+                     static_cast<ptrdiff_t>(n % 3) * coordinate;
+            };
+            apart = apart && std::abs(place(a) - place(b)) >= 8;
+          }
+        }
+        ASSERT_EQ(status(count, point, coordinate), apart ? HWFFD_OK : HWFFD_USAGE)
+            << count << " " << point << " " << coordinate;
+      }
+    }
+  }
 }
 
 TEST_F(CAttached, NumbersThatAreNoneAreRefused) {
