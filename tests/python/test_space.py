@@ -48,6 +48,8 @@ def test_displacements_of_a_regular_grid():
     np.testing.assert_allclose(grid[0, 0, 0], lattice.displacements([0.5, 0, 0]), atol=1e-15)
     with pytest.raises(hwffd.UsageError, match="^counts: 0; give 1 or more each$"):
         lattice.displacement_grid((0, 0, 0), (1, 1, 1), (2, 0, 2))
+    with pytest.raises(hwffd.UsageError, match="^counts: 2.56 places or more; give fewer$"):
+        lattice.displacement_grid((0, 0, 0), (1, 1, 1), (2 ** 31 - 1,) * 3)
     many = lattice.displacement_grid((-1, -1, -1), (1, 1, 1), (40, 41, 42))
     assert np.abs(many[-1, -1, -1] - lattice.displacements([1.0, 1, 1])).max() < 1e-14
 

@@ -9,6 +9,8 @@
 namespace hwffd::python {
 namespace {
 
+constexpr Eigen::Index kMostPlaces = Eigen::Index{1} << 56;  // their doubles have addresses
+
 /// The places of a regular grid in space, x fastest.
 struct SpaceGrid {
   std::array<double, 3> first, last;
@@ -61,8 +63,11 @@ py::array displacement_grid(PyLattice& lattice, const py::object& first, const p
   const SpaceGrid grid{read_numbers(first, "first", "(x, y, z)"),
                        read_numbers(last, "last", "(x, y, z)"),
                        read_integers(numbers, "counts", "(cx, cy, cz)")};
+  Eigen::Index places = 1;
   for (const int count : grid.counts) {
     if (count < 1) throw UsageError("counts: " + std::to_string(count) + "; give 1 or more each");
+    if (places > kMostPlaces / count) throw UsageError("counts: 2^56 places or more; give fewer");
+    places *= count;
   }
   Target target(out, {grid.counts[2], grid.counts[1], grid.counts[0], 3}, false);
   return displaced(

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from hwffd import Lattice, UsageError, _core
 from hwffd.volumes.itk import from_itk
-from hwffd.volumes.volume import Volume
+from hwffd.volumes.volume import Volume, array_of
 
 if TYPE_CHECKING:
     import SimpleITK
@@ -52,7 +52,7 @@ def volume_of(image: Image, name: str = "image") -> Volume:
     if hasattr(image, "GetDimension"):
         image = from_itk(image)
     if not isinstance(image, Volume):
-        array = np.asarray(image)
+        array = array_of(image, name)
         image = Volume(array.view(np.uint8) if array.dtype == bool else array)
     volume = image
     if volume.values.ndim == 4 and volume.values.shape[3] == 1:

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from hwffd import Error, UsageError
 from hwffd.volumes.missing import missing
+from hwffd.volumes.volume import array_of
 
 ORDERS = (0, 1, 3)
 _MODES = {1: "nearest", 3: "mirror"}  # how values go on beyond the outermost voxels, as in ITK
@@ -29,7 +30,7 @@ def ndimage() -> ModuleType:
 def coefficients(values: ArrayLike) -> NDArray[np.float64]:
     """The coefficients (nz, ny, nx) of the tricubic B-spline that goes through such values: those of
     scipy.ndimage.spline_filter(values, 3, numpy.float64, "mirror")."""
-    values = np.asarray(values)
+    values = array_of(values, "values")
     if values.dtype.kind not in "iuf" or values.ndim != 3:
         raise UsageError(f"values: {values.ndim} dimensions of {values.dtype}; give three, of numbers")
     values = _of_scipy(values)

@@ -16,6 +16,17 @@ from hwffd import UsageError
 _FARTHEST = 1e100  # coordinates of a lattice, beyond which the library has none
 
 
+def array_of(given: ArrayLike, name: str) -> NDArray[np.generic]:
+    """An array, without a copy where it is one. A masked one is refused, and a list of such: masks would be lost."""
+    parts = given if isinstance(given, (list, tuple)) else (given,)
+    if any(isinstance(part, np.ma.MaskedArray) for part in parts):
+        raise UsageError(f"{name}: a masked array; give one without a mask, as filled(value) makes it")
+    try:
+        return np.asarray(given)
+    except (TypeError, ValueError) as error:
+        raise UsageError(f"{name}: no array; give one of NumPy") from error
+
+
 def _numbers(name: str, given: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.float64]:
     try:
         array = np.array(given, np.float64)
@@ -50,7 +61,7 @@ class Volume:
                  spacing: ArrayLike = (1.0, 1.0, 1.0),
                  direction: ArrayLike = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)),
                  metadata: Mapping[str, str] | None = None) -> None:
-        self.values = np.asarray(values)
+        self.values = array_of(values, "volume")
         if self.values.dtype.kind not in "iuf" or self.values.ndim not in (3, 4):
             raise UsageError(f"volume: {self.values.ndim} dimensions of {self.values.dtype}; give "
                              "numbers, (nz, ny, nx) or (nz, ny, nx, components)")
@@ -59,7 +70,10 @@ class Volume:
         self.origin = _numbers("origin", origin, (3,))
         self.spacing = _numbers("spacing", spacing, (3,))
         self.direction = _numbers("direction", direction, (3, 3))
-        self.metadata = dict(metadata or {})
+        try:
+            self.metadata = dict(metadata or {})
+        except (TypeError, ValueError) as error:
+            raise UsageError(f"volume: metadata {metadata!r:.80}; give names and values as texts") from error
         if not all(isinstance(text, str) for pair in self.metadata.items() for text in pair):
             raise UsageError("volume: metadata with what is no text; give names and values as texts")
         if not (self.spacing > 0).all():

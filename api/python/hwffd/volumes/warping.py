@@ -142,6 +142,10 @@ def resample(volume: Volume, lattice: Lattice, *, like: Volume | None = None, or
     """warp() with all that is known of it: the field, if wanted, and counts of voxels outside."""
     if not isinstance(default, (int, float, np.number)):
         raise UsageError(f"default {default!r}; give a number")
+    try:
+        default = float(default)
+    except OverflowError as error:
+        raise UsageError("default: beyond what a double holds; give a number that voxels can have") from error
     if volume.values.dtype.kind != "f" and not np.isfinite(default):
         raise UsageError(f"default {default}: no integer; give a number that voxels can have")
     grid = like or volume
@@ -185,6 +189,13 @@ def warp(image: Image, lattice: Lattice, *, like: Volume | SimpleITK.Image | Non
                          progress=progress).volume)
 
 
+def _is_float(kind: DTypeLike) -> bool:
+    try:
+        return np.dtype(kind).kind == "f"
+    except TypeError:
+        return False
+
+
 def displacement_field(grid: Image, lattice: Lattice, *, kind: DTypeLike = np.float64,
                        progress: Progress | None = None) -> Image:
     """T(x) - x for each voxel x of a grid, in its unit of length, as ITK's displacement fields have
@@ -193,7 +204,7 @@ def displacement_field(grid: Image, lattice: Lattice, *, kind: DTypeLike = np.fl
     grid: a Volume, or an image of SimpleITK, of which the values do not matter; so is the result.
     kind: of the numbers."""
     volume, back = _volume_of(grid)
-    if np.dtype(kind).kind != "f":
+    if not _is_float(kind):
         raise UsageError(f"kind {kind}: no floats, which displacements are; give float32 or float64")
     field = np.empty((*volume.values.shape[:3], 3), kind)
     for block, points, moved, _ in _carried(lattice, volume, progress):
