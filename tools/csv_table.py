@@ -18,14 +18,16 @@ class TableError(Exception):
 
 def parse(text, path, columns):
     """[(file:line, {column: cell})]. Raises TableError."""
-    lines = csv.reader(text.splitlines())
-    if tuple(next(lines, [])) != tuple(columns):
-        raise TableError(f"{path}:1: the first line must be {','.join(columns)}")
+    lines = csv.reader(text.splitlines(), strict=True)
     rows = []
-    for cells in lines:
-        if not cells:
-            continue
-        where = f"{path}:{lines.line_num}"
+    try:
+        if tuple(next(lines, [])) != tuple(columns):
+            raise TableError(f"{path}:1: the first line must be {','.join(columns)}")
+        filled = [(lines.line_num, cells) for cells in lines if cells]
+    except csv.Error as error:  # a quote that is not closed would take the lines behind it into its cell
+        raise TableError(f"{path}:{lines.line_num}: {error}: see to its quotes") from error
+    for number, cells in filled:
+        where = f"{path}:{number}"
         if len(cells) != len(columns):
             raise TableError(f"{where}: {len(cells)} columns, {len(columns)} wanted")
         rows.append((where, dict(zip(columns, cells))))
@@ -69,7 +71,7 @@ def unique(known, name, column, where):
 def span(cells, column, where, allowed):
     """range(2, 9) of "2-8". Raises TableError."""
     low, _, high = cells[column].partition("-")
-    if not (low.isdigit() and high.isdigit() and int(low) <= int(high)
+    if not (low.isdecimal() and high.isdecimal() and int(low) <= int(high)
             and int(low) in allowed and int(high) in allowed):
         raise TableError(f"{where}: {column} is '{cells[column]}', two numbers of {allowed[0]} to "
                          f"{allowed[-1]} wanted, as in {allowed[0]}-{allowed[-1]}")

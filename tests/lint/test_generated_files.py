@@ -29,6 +29,7 @@ FORMATS = {
     "number of a family": ("fx,12-32,4,fixed,Fixed,,fixed\n", 2, "the width is it"),
     "family of odd widths": ("fx,12-40,,fixed,Fixed,,fixed\n", 2, "two numbers of 8 to 32 wanted"),
     "no class": (FP32.replace("Binary32,", ",", 1), 2, "bad model ''"),
+    "family of a width that is no number": ("fx,12-²,,fixed,Fixed,,fixed\n", 2, "two numbers of 8 to 32 wanted"),
     "twice": (FP32 + FP32, 3, "format 'fp32' is there twice"),
     "number twice": (FP32 + FP32.replace("fp32", "fp16"), 3, "number 0 is that of 'fp32'"),
 }
@@ -68,6 +69,8 @@ REGISTERS = {
     "a reset value of the hardware's": ("busy,0,ro,,", "busy,0,ro,0,", "has no reset value"),
     "a wide pulse": ("soft_reset,1,w1", "soft_reset,4:3,w1", "has one bit"),
     "no description": ('"Bytes of the result area."', "", "no description"),
+    "a description that ends in the next line": ('"Bytes of the result area."', '"Bytes of the result area.',
+                                                 "see to its quotes"),
     "bits taken twice": ("soft_reset,1,w1", "soft_reset,0,w1", "CONTROL.soft_reset: its bits"),
     "a field twice": ("CONTROL,soft_reset", "CONTROL,start", "CONTROL.start is there twice"),
     "a link to nothing": ("with:STATUS.done", "with:STATUS.gone", "does not name a field"),
