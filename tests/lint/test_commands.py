@@ -5,6 +5,7 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import re
+import shlex
 import shutil
 
 import pytest
@@ -249,3 +250,43 @@ def test_old_verilator(install, programs, version, status):
 
 def test_fresh_knows_every_target(checkout):
     assert checkout.module("tools.checks.fresh_machine", "no-target") == (2, "", "fresh: not known here: no-target\n")
+
+
+@pytest.fixture
+def environment(checkout, programs, run):
+    """What tools/python_env asks for, of a machine whose Python is of the version that the file `version` says."""
+    checkout.copy("tools/python_env")
+    checkout.put({"version": "3.11", **{f"tools/requirements-{name}.txt": f"{name}-package\n" for name in ("one", "two")}})
+    here = shlex.quote(str(checkout.root))
+    python = f"""case $* in
+      *"import pip"*) test -e {here}/build/venv/lib/$(cat {here}/version)/pip ;;
+      *"-m venv"*) echo venv >>{here}/asked
+        rm -rf {here}/build/venv
+        mkdir -p {here}/build/venv/bin {here}/build/venv/lib/$(cat {here}/version)
+        touch {here}/build/venv/lib/$(cat {here}/version)/pip
+        cp "$0" {here}/build/venv/bin/python ;;
+      *"-m pip"*) echo "$*" | sed 's/.*requirements-/pip /' >>{here}/asked ;;
+    esac"""
+    programs(bin__python3=python)
+
+    def asked(*sets):
+        log = checkout.root / "asked"
+        log.unlink(missing_ok=True)
+        status, _, _ = run("tools/python_env", *sets)
+        assert status == 0
+        return log.read_text().splitlines() if log.exists() else []
+    return asked
+
+
+def test_python_packages_are_installed_once(environment):
+    assert environment("one", "none") == ["venv", "pip one.txt"]
+    assert environment("one", "two") == ["pip two.txt"]
+    assert environment("one", "two") == []
+
+
+@pytest.mark.parametrize("second", ("two", "one"))
+def test_python_packages_of_another_python_do_not_count(environment, checkout, second):
+    """The system's Python became another one: the virtual environment has no packages for it."""
+    environment("one")
+    checkout.put({"version": "3.13"})
+    assert environment("one", second) == ["venv", "pip one.txt", "pip two.txt"][:2 if second == "one" else 3]
