@@ -45,6 +45,13 @@ def stl_binary():
     return b"solid but binary".ljust(80) + struct.pack("<I", len(TRIANGLES)) + facets
 
 
+def lattice(swapped=False):
+    """4 x 5 x 4 points around the cube; swapped: two layers change places, so that it folds."""
+    layer = [0, 2, 1, 3, 4] if swapped else range(5)
+    points = [[i - 1, (layer[j] - 1) / 2, k - 1] for i in range(4) for j in range(5) for k in range(4)]
+    return json.dumps({"hwffd_lattice": 1, "dims": [4, 5, 4], "points": points})
+
+
 GOOD = {"cube.obj": obj(), "text.ply": ply("ascii"), "little.PLY": ply("binary_little_endian"),
         "big.ply": ply("binary_big_endian"), "text.stl": stl_text(), "binary.stl": stl_binary()}
 
@@ -58,6 +65,10 @@ BAD = {
     "cut.stl": (stl_binary()[:-9], "no STL file"),
     "cut.ply": (ply("binary_little_endian")[:-3], "ends before"),
     "word.ply": (ply("ascii").replace("uchar red", "colour red"), "colour red"),
+    "corner.ply": (ply("ascii").replace("4 0 1 3 2", "4 0 1 a 2"), "vertex NaN"),
+    "wrapped.ply": (ply("ascii").replace("4 0 1 3 2", "4 0 1 4294967299 2"), "vertex 4294967299"),
+    "format.ply": (ply("ascii").replace("ascii", "asci"), "format"),
+    "nothing.ply": ("ply\nformat ascii 1.0\nelement nothing 1e15\nend_header\n", "no vertex was found"),
     "head.ply": ("ply\nelement vertex 3\n", "no PLY file"),
     "five.ply": (ply("binary_little_endian", 5_000_000), "5 million vertices"),
     "picture.png": (b"\x89PNG", "not read here"),
@@ -66,15 +77,9 @@ BAD = {
     "small.json": ('{"hwffd_lattice": 1, "dims": [3, 4, 4], "points": []}', "dims"),
     "shape.json": ('{"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box"}', "shape"),
     "extra.json": ('{"hwffd_lattice": 1, "dims": [4, 4, 4], "points": [], "colour": 1}', "colour"),
+    "far.json": (lattice().replace("[-1, ", "[1e39, ", 1), "binary32"),
     "short.json": ('{"hwffd_lattice": 1, "dims": [4, 4, 4], "points": [[0, 0, 0]]}', "64 points"),
 }
-
-
-def lattice(swapped=False):
-    """4 x 5 x 4 points around the cube; swapped: two layers change places, so that it folds."""
-    layer = [0, 2, 1, 3, 4] if swapped else range(5)
-    points = [[i - 1, (layer[j] - 1) / 2, k - 1] for i in range(4) for j in range(5) for k in range(4)]
-    return json.dumps({"hwffd_lattice": 1, "dims": [4, 5, 4], "points": points})
 
 
 @pytest.fixture(scope="module")

@@ -44,7 +44,9 @@ export function readLattice(name, text) {
   if (!Array.isArray(points) || points.length !== wanted) refuse(`it does not have the ${wanted} points of its dims`);
   const isPoint = (one) => Array.isArray(one) && one.length === 3 && one.every(Number.isFinite);
   if (!points.every(isPoint)) refuse("a point is not three numbers");
-  return { dims, points: new Float32Array(points.flat()) };
+  const places = new Float32Array(points.flat());
+  if (!places.every(Number.isFinite)) refuse("a point is beyond what binary32 holds");
+  return { dims, points: places };
 }
 
 const PLACES = [0, 0.25, 0.5, 0.75, 1];

@@ -3,6 +3,7 @@
 
 import { Refused, checkCount } from "./refused.js";
 
+const FORMATS = ["ascii", "binary_little_endian", "binary_big_endian"];
 const TYPES = {
   char: ["getInt8", 1], uchar: ["getUint8", 1], short: ["getInt16", 2], ushort: ["getUint16", 2],
   int: ["getInt32", 4], uint: ["getUint32", 4], float: ["getFloat32", 4], double: ["getFloat64", 8],
@@ -49,19 +50,21 @@ function header(name, bytes) {
     else if (words[0] === "element") elements.push({ name: words[1], count: Number(words[2]), properties: [] });
     else if (words[0] === "property") elements.at(-1)?.properties.push(property(name, words));
   }
+  if (!FORMATS.includes(format)) throw new Refused(`${name} is no PLY file: its format is none of ${FORMATS.join(", ")}.`);
   return { format, elements, end: found[0].length };
 }
 
 function property(name, words) {
   const list = words[1] === "list";
   const types = list ? words.slice(2, 4) : [words[1]];
-  if (types.some((type) => !(type in TYPES))) {
+  if (types.some((type) => !Object.hasOwn(TYPES, type))) {
     throw new Refused(`${name} is no PLY file that this page reads: '${words.join(" ")}' is not known.`);
   }
   return { name: words.at(-1), type: types.at(-1), counted: list ? types[0] : null };
 }
 
 function readElement(source, element, take) {
+  if (element.properties.length === 0) return;
   for (let n = 0; n < element.count; ++n) {
     for (const one of element.properties) {
       if (one.counted === null) {
@@ -74,7 +77,7 @@ function readElement(source, element, take) {
   }
 }
 
-function readElements(source, elements, vertices) {
+function readElements(name, source, elements, vertices) {
   const positions = new Float32Array(3 * vertices);
   const indices = [];
   const takers = {
@@ -84,6 +87,10 @@ function readElements(source, elements, vertices) {
     },
     face: (property, corners) => {
       if (!/^vertex_ind(ex|ices)$/.test(property)) return;
+      const wrong = corners.find((corner) => !(Number.isInteger(corner) && corner >= 0 && corner < vertices));
+      if (wrong !== undefined) {
+        throw new Refused(`${name} is no mesh: a face names vertex ${wrong}, which it does not have.`);
+      }
       for (let k = 2; k < corners.length; ++k) indices.push(corners[0], corners[k - 1], corners[k]);
     },
   };
@@ -99,7 +106,7 @@ export function readPly(name, bytes) {
   const source = format === "ascii" ? new Words(new TextDecoder().decode(bytes.slice(end)))
     : new Binary(bytes, end, format === "binary_little_endian");
   try {
-    return readElements(source, elements, vertices);
+    return readElements(name, source, elements, vertices);
   } catch (error) {
     if (!(error instanceof RangeError)) throw error;
     throw new Refused(`${name} ends before the ${vertices} vertices and the faces that it promises.`);
