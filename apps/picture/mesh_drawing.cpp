@@ -2,6 +2,7 @@
 
 #include <assimp/scene.h>
 
+#include <optional>
 #include <vector>
 
 #include "picture/opengl.hpp"
@@ -30,8 +31,8 @@ void set_colour(const aiScene& scene, const aiMesh& part) {
 }
 
 /// Normals of the vertices first, first + 1 and so on of a mesh's scene.
-std::vector<GLfloat> smooth_normals_of(const Mesh& mesh, std::size_t first, unsigned count) {
-  const Points normals = mesh.smooth_normals();
+std::vector<GLfloat> normals_of(const Mesh& mesh, const Points& normals, std::size_t first,
+                                unsigned count) {
   std::vector<GLfloat> values;
   for (unsigned v = 0; v < count; ++v) {
     for (int c = 0; c < 3; ++c) {
@@ -48,11 +49,15 @@ void draw_mesh(const Mesh& mesh) {
   const aiScene& scene = mesh.scene();
   glEnableClientState(GL_VERTEX_ARRAY);
   glEnableClientState(GL_NORMAL_ARRAY);
+  std::optional<Points> normals;  // of all vertices, once a part wants some
   std::size_t first = 0;
   for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
     const aiMesh& part = *scene.mMeshes[m];
     std::vector<GLfloat> smooth;
-    if (!part.HasNormals()) smooth = smooth_normals_of(mesh, first, part.mNumVertices);
+    if (!part.HasNormals()) {
+      if (!normals) normals = mesh.smooth_normals();
+      smooth = normals_of(mesh, *normals, first, part.mNumVertices);
+    }
     const std::vector<GLuint> corners = corners_of(part);
     set_colour(scene, part);
     glVertexPointer(3, GL_FLOAT, 0, part.mVertices);
