@@ -3,7 +3,12 @@
 # SPDX-License-Identifier: Apache-2.0
 # Where Python finds the packages of the checkout: tools, and lab.
 export PYTHONPATH := $(CURDIR)$(if $(PYTHONPATH),:$(PYTHONPATH))
-JOBS  ?= $(shell nproc 2>/dev/null || echo 2)
+ifeq ($(JOBS),)
+  JOBS := $(shell nproc 2>/dev/null || echo 2)
+endif
+ifneq ($(shell case '$(JOBS)' in (''|*[!0-9]*|0*) echo wrong ;; esac),)
+  $(error JOBS=$(JOBS): a number from 1 on)
+endif
 TIERS  = sim cover test all
 ifneq ($(TIER),$(filter $(TIERS),$(firstword $(TIER))))
   $(error TIER=$(TIER): one of $(TIERS))
