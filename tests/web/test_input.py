@@ -164,6 +164,62 @@ def test_folds(tab):
     assert tab.text("folds") == ""
 
 
+def saved_points(tab):
+    with tab.page.expect_download() as download:
+        tab.page.evaluate("document.getElementById('save-lattice').click()")  # the mouse stays
+    return json.loads(pathlib.Path(download.value.path()).read_text())["points"]
+
+
+@pytest.fixture
+def ball(tab):
+    tab.page.select_option("#mesh", "ball")
+    tab.quiet()
+    return tab
+
+
+def test_escape_ends_a_drag(ball):
+    """The pointer then moves no point, and the next drag begins anew."""
+    rest = saved_points(ball)
+    mouse, (x, y) = ball.page.mouse, max(ball.points_on_screen())
+    mouse.move(x, y)
+    mouse.down()
+    mouse.move(x - 20, y - 10)
+    ball.page.keyboard.press("Escape")
+    moved = saved_points(ball)
+    assert sum(a != b for a, b in zip(rest, moved)) == 1
+    mouse.move(x - 60, y - 40)
+    mouse.up()
+    ball.quiet()
+    assert saved_points(ball) == moved
+
+
+def test_a_second_finger_does_not_move_the_point(browser, page):
+    context = browser.new_context(viewport={"width": 400, "height": 900}, has_touch=True, is_mobile=True)
+    tab = Open(context, page.as_uri())
+    fingers = context.new_cdp_session(tab.page)
+    x, y = max(tab.points_on_screen())
+    box = tab.page.locator("#view").bounding_box()
+    other = (box["x"] + 8, box["y"] + box["height"] - 8)  # where no point is
+
+    def touch(kind, *places):
+        fingers.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [
+            {"x": place[0], "y": place[1], "id": finger} for finger, place in enumerate(places)]})
+
+    touch("touchStart", (x, y))
+    touch("touchMove", (x - 12, y - 9))
+    tab.quiet()
+    moved = tab.place()
+    touch("touchStart", (x - 12, y - 9), other)
+    touch("touchMove", (x - 12, y - 9), (other[0] + 40, other[1] - 40))
+    tab.quiet()
+    assert tab.place() == moved
+    touch("touchMove", (x - 24, y - 18), (other[0] + 40, other[1] - 40))
+    touch("touchEnd")
+    tab.quiet()
+    assert tab.place() != moved and not tab.errors
+    context.close()
+
+
 def test_without_webassembly(browser, page):
     tab = Open(browser.new_context(), page.as_uri(), (NO_WEBASSEMBLY,), has_core=False)
     assert "no WebAssembly" in tab.notice() and not tab.errors

@@ -18,7 +18,7 @@ export class PointControls {
     const canvas = scene.canvas;
     canvas.addEventListener("pointerdown", (event) => this.down(event));
     canvas.addEventListener("pointermove", (event) => this.move(event));
-    for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => this.up());
+    for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (event) => this.up(event));
     canvas.addEventListener("keydown", (event) => this.key(event));
     // The wheel scrolls the page until the picture is in use.
     scene.controls.enableZoom = false;
@@ -59,7 +59,7 @@ export class PointControls {
   }
 
   down(event) {
-    if (event.button !== 0) return;
+    if (event.button !== 0 || this.dragging !== null) return;
     const index = this.pick(event);
     if (index === null) return;
     this.scene.controls.enabled = false;
@@ -68,7 +68,7 @@ export class PointControls {
     this.choose(index);
     const place = this.place(index);
     const under = this.underPointer(event, place);
-    this.dragging = { place, offset: place.clone().sub(under ?? place) };
+    this.dragging = { pointer: event.pointerId, place, offset: place.clone().sub(under ?? place) };
   }
 
   move(event) {
@@ -76,18 +76,26 @@ export class PointControls {
       if (event.buttons === 0) this.scene.canvas.style.cursor = this.pick(event) === null ? "grab" : "pointer";
       return;
     }
+    if (event.pointerId !== this.dragging.pointer) return;  // another finger
     const under = this.underPointer(event, this.dragging.place);
     if (under) this.does.move(this.chosen, under.add(this.dragging.offset).toArray());
   }
 
-  up() {
+  up(event) {
+    if (event.pointerId === this.dragging?.pointer) this.drop();
+  }
+
+  /** Ends a drag. */
+  drop() {
     if (this.dragging === null) return;
     this.dragging = null;
     this.scene.controls.enabled = true;
     this.does.end();
   }
 
+  /** Of another point, or of none, a drag is over. */
   choose(index) {
+    if (index !== this.chosen) this.drop();
     this.chosen = index;
     this.does.choose(index);
   }
