@@ -154,6 +154,54 @@ def test_lattice_file(tab):
     assert saved["dims"] == wanted["dims"] and saved["points"] == wanted["points"]
 
 
+@pytest.fixture
+def slow(browser, page):
+    """The page with a worker that answers late."""
+    context = browser.new_context()
+    tab = Open(context, page.as_uri(), (WATCH, """
+      const Quick = window.Worker;
+      window.sent = [];
+      window.Worker = class extends Quick {
+        postMessage(...all) {
+          sent.push(all[0].type);
+          setTimeout(() => super.postMessage(...all), 400);
+        }
+      };"""))
+    yield tab
+    assert not tab.errors
+    context.close()
+
+
+@pytest.mark.parametrize("field, word", [("#mesh", "knot"), ("#kind", "twist")])
+def test_a_lattice_file_behind_what_is_still_to_be_answered(slow, field, word):
+    """What the worker says of the mesh or the shape before is of a lattice that is out of date."""
+    slow.page.select_option(field, word)
+    slow.load("lattice.json", lattice(), "#lattice-file")
+    slow.quiet()
+    assert slow.page.input_value("#dims-1") == "5" and saved_points(slow) == json.loads(lattice())["points"]
+
+
+def test_a_point_that_is_moved_behind_a_shape(slow):
+    """It is moved where it is seen, and the shape is out of date."""
+    rest = saved_points(slow)
+    slow.page.select_option("#kind", "twist")
+    slow.page.fill("#place-0", "-9")
+    slow.page.keyboard.press("Tab")
+    slow.quiet()
+    moved = saved_points(slow)
+    assert moved[0] == pytest.approx([-9, *rest[0][1:]], rel=1e-4) and moved[1:] == rest[1:]
+
+
+def test_a_point_of_a_lattice_that_goes_is_not_moved(slow):
+    slow.page.fill("#dims-0", "4")
+    slow.page.keyboard.press("Tab")
+    slow.page.fill("#place-0", "-9")
+    slow.page.keyboard.press("Tab")
+    slow.quiet()
+    assert len(saved_points(slow)) == 4 * 6 * 5 and saved_points(slow)[0][0] > -9
+    assert "dims" in slow.page.evaluate("sent") and "points" not in slow.page.evaluate("sent")
+
+
 def test_folds(tab):
     """A lattice that folds is taken, and one sentence says where."""
     tab.load("folded.json", lattice(swapped=True), "#lattice-file")

@@ -9,6 +9,7 @@ const LAST = {
   fault: "deformed", inside: "state", watch: "state", vcd: "vcd",
 };
 
+const LATTICES = ["mesh", "dims", "points", "shape"];  // what says where control points are
 const RUNS = 2;  // of the mesh, that may be asked for at once
 
 /** Sends messages to the worker and raises an event of each that comes, by its type, with it as `detail`. */
@@ -34,8 +35,20 @@ export class Engine extends EventTarget {
 
   /** Sends what is soon out of date, such as the points of a drag: of those that wait only the last goes. */
   sendNewest(message) {
+    this.waiting.clear();  // each says where all control points are
     if (this.hasRoom()) this.send(message);
     else this.waiting.set(message.type, message);
+  }
+
+  /** What was sent last, or waits to be, of what says where control points are; null if all of it has been answered. */
+  get newestLattice() {
+    if (this.waiting.size > 0) return [...this.waiting.keys()].at(-1);
+    return this.expected.findLast(({ asked }) => LATTICES.includes(asked))?.asked ?? null;
+  }
+
+  /** Whether points have been sent, or wait to be, behind the message that is being answered. */
+  hasNewerPoints() {
+    return this.waiting.has("points") || this.expected.slice(1).some(({ asked }) => asked === "points");
   }
 
   /** Whether the worker would be idle before long: one run of the mesh may wait behind the one that goes on. */

@@ -72,7 +72,9 @@ export class Work {
     engine.on("error", ({ asked }) => {
       if (asked === "mesh" && this.before) this.setMesh(this.before);
     });
-    engine.on("lattice", (lattice) => this.takeLattice(lattice));
+    engine.on("lattice", (lattice) => {
+      if (!engine.hasNewerPoints()) this.takeLattice(lattice);
+    });
     engine.on("deformed", ({ positions }) => {
       if (positions.length !== this.mesh?.positions.length) return;
       this.scene?.moveMesh(positions);
@@ -122,14 +124,9 @@ export class Work {
     if (other) this.engine?.send({ type: "dims", dims });
     this.engine?.send({ type: "points", points });
     this.takeLattice({ dims, points });
-    this.ignoreLattice = other && this.engine !== null;  // the answer to "dims" is at rest
   }
 
   takeLattice({ dims, points }) {
-    if (this.ignoreLattice) {
-      this.ignoreLattice = false;
-      return;
-    }
     const same = dims.every((n, axis) => n === this.lattice.dims[axis]) &&
       points.length === this.lattice.points.length;
     this.lattice = { dims: [...dims], points: new Float32Array(points) };
@@ -156,7 +153,9 @@ export class Work {
     this.scene?.choose(index === null ? null : this.lattice.points.subarray(3 * index, 3 * index + 3));
   }
 
+  /** Unless another lattice is on its way. */
   movePoint(index, place) {
+    if (["mesh", "dims"].includes(this.engine?.newestLattice)) return;
     this.lattice.points.set(place, 3 * index);
     this.scene?.moveLattice(this.lattice.points);
     this.fields.showSoon();
