@@ -4,6 +4,7 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import copy
+import signal
 
 import hwffd
 import numpy as np
@@ -110,6 +111,26 @@ def test_progress_that_uses_the_lattice_is_refused():
     with pytest.raises(hwffd.Error, match="at work in a call of this thread"):
         hwffd.fit(lattice, points, targets, progress=lambda *_: lattice.folds())
     np.testing.assert_array_equal(lattice.control_points, lattice.rest_points)
+
+
+def test_ctrl_c_leaves_the_lattice_as_it_was():
+    """Also while it is looked at whether the lattice folds, which takes seconds here."""
+    points = scene()[0]
+    lattice = hwffd.Lattice.around("box", points, (32, 32, 32))
+    lattice.deform("random:3")
+    before = lattice.control_points
+
+    def later(*_):
+        signal.setitimer(signal.ITIMER_REAL, 0.3)
+
+    handler = signal.signal(signal.SIGALRM, signal.default_int_handler)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            hwffd.fit(lattice, points, points + 0.1, iterations=1, progress=later)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, handler)
+    np.testing.assert_array_equal(lattice.control_points, before)
 
 
 def test_model_fits_too():

@@ -266,23 +266,23 @@ FitResult fit(DeformableLattice& lattice, const Points& points, const Points& ta
     lattice.move(objective.points_of(least.x));
     result.iterations = least.iterations;
     result.evaluations = least.evaluations;
+
+    const std::vector<double> ends = objective.distances();
+    result.rms_end = objective.rms(ends);
+    result.distances.resize(static_cast<std::size_t>(points.rows()));
+    for (Eigen::Index row = 0; row < points.rows(); ++row) {
+      result.distances[static_cast<std::size_t>(row)] = (points.row(row) - targets.row(row)).norm();
+    }
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      result.distances[static_cast<std::size_t>(objective.points().rows[i])] = ends[i];
+      if (objective.points().weights[i] > 0.0) result.largest = std::max(result.largest, ends[i]);
+    }
+    result.outside = result.distances.size() - ends.size();
+    result.folds = check_folds(lattice.deformed(), kFoldDepth, lattice.family());
   } catch (...) {
     lattice.move(before);
     throw;
   }
-
-  const std::vector<double> ends = objective.distances();
-  result.rms_end = objective.rms(ends);
-  result.distances.resize(static_cast<std::size_t>(points.rows()));
-  for (Eigen::Index row = 0; row < points.rows(); ++row) {
-    result.distances[static_cast<std::size_t>(row)] = (points.row(row) - targets.row(row)).norm();
-  }
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    result.distances[static_cast<std::size_t>(objective.points().rows[i])] = ends[i];
-    if (objective.points().weights[i] > 0.0) result.largest = std::max(result.largest, ends[i]);
-  }
-  result.outside = result.distances.size() - ends.size();
-  result.folds = check_folds(lattice.deformed(), kFoldDepth, lattice.family());
   return result;
 }
 
