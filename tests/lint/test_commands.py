@@ -99,7 +99,8 @@ def test_structure_and_help(make, programs):
 @pytest.mark.parametrize("words, complaint", (
     (("sim", "STREAM=q"), "STREAM=q: one of"), (("sim", "SEED=x"), "SEED=x: a number"),
     (("random", "N=1.2.3"), "N=1.2.3: a number"), (("lint", "TIER=none"), "TIER=none: one of"),
-    (("sim", "JOBS=0"), "JOBS=0: a number"), (("test", "JOBS=two"), "JOBS=two: a number"), (("hwffd", "PREFIX=/dev/null/x"), "PREFIX=/dev/null/x: cannot be written")))
+    (("sim", "JOBS=0"), "JOBS=0: a number"), (("test", "JOBS=two"), "JOBS=two: a number"),
+    (("hwffd", "PREFIX=/dev/null/x"), "PREFIX=/dev/null/x: cannot be written")))
 def test_a_wrong_word_is_refused_before_anything_is_built(make, words, complaint):
     status, lines, errors = make(*words)
     assert status == 2 and complaint in errors
