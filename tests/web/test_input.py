@@ -172,6 +172,26 @@ def slow(browser, page):
     context.close()
 
 
+def test_a_mesh_before_there_are_cores(browser, page):
+    """It waits for the first core, without which the worker refuses it."""
+    context = browser.new_context()
+    tab = Open(context, page.as_uri(), ("""
+      const Quick = window.Worker;
+      window.sent = [];
+      window.Worker = class extends Quick {
+        postMessage(...all) {
+          sent.push(all[0].type);
+          super.postMessage(...all);
+        }
+        set onmessage(does) { super.onmessage = (event) => setTimeout(() => does(event), 1500); }
+      };""",), has_core=False)
+    tab.load("cube.obj", obj())
+    tab.until("document.getElementById('vertices').textContent === '8'")
+    assert tab.page.evaluate("sent.filter((type) => type !== 'watch')")[:3] == ["open", "dims", "mesh"]
+    assert tab.page.is_hidden("#notice") and not tab.errors
+    context.close()
+
+
 @pytest.mark.parametrize("field, word", [("#mesh", "knot"), ("#kind", "twist")])
 def test_a_lattice_file_behind_what_is_still_to_be_answered(slow, field, word):
     """What the worker says of the mesh or the shape before is of a lattice that is out of date."""

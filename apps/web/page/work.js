@@ -61,13 +61,15 @@ export class Work {
     });
   }
 
-  /** From here on the worker answers. */
+  /** What is done before the worker has cores is kept here, and sent then: without one it refuses a mesh. */
   connect(engine) {
-    this.engine = engine;
     engine.on("ready", ({ cores }) => {
+      this.engine = engine;
       this.core.offer(cores);
       this.sendDims(FIRST_DIMS);
-      this.setMesh(this.mesh ?? BUILT_IN.amphora());
+      const first = this.mesh;
+      this.mesh = BUILT_IN.amphora();  // what comes back if the worker refuses the one that was loaded before
+      this.setMesh(first ?? this.mesh);
     });
     engine.on("error", ({ asked }) => {
       if (asked === "mesh" && this.before) this.setMesh(this.before);
