@@ -3,9 +3,13 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+from lab.rtl_coverage.report import KINDS, PLURALS
 from tools.reports.text_table import Table, shown
 
-KINDS = ("line", "branch", "toggle")
+
+def _places(row, kind):
+    """How many a module has; 0.2.0 has "branchs"."""
+    return row[PLURALS[kind]] if PLURALS[kind] in row else row[f"{kind}s"]
 
 
 def _percent(value):
@@ -17,7 +21,7 @@ def modules(reports):
     return Table(
         ["module", "lines", "line, %", "branches", "branch, %", "bits", "toggle, %", "excluded"],
         [[f"`{row['module']}`",
-          *(text for kind in KINDS for text in (shown(row[f"{kind}s"], ","), _percent(row[kind]))),
+          *(text for kind in KINDS for text in (shown(_places(row, kind), ","), _percent(row[kind]))),
           shown(row["excluded"], ",")] for row in reports.rows("coverage")])
 
 
@@ -42,8 +46,8 @@ def _share(kind):
     """Of all places of a kind, those that were run."""
     def figure(reports):
         rows = [row for row in reports.rows("coverage") if row[kind] is not None]
-        places = sum(row[f"{kind}s"] for row in rows)
-        return sum(row[kind] / 100 * row[f"{kind}s"] for row in rows) / places
+        places = sum(_places(row, kind) for row in rows)
+        return sum(row[kind] / 100 * _places(row, kind) for row in rows) / places
     return figure
 
 
@@ -55,7 +59,7 @@ def _of_all(reports):
 
 
 def _full(reports):
-    return sum(row["line"] in (100, None) and row["branch"] in (100, None)
+    return sum(any(_places(row, kind) for kind in KINDS) and row["line"] in (100, None) and row["branch"] in (100, None)
                and (row["toggle"] or 100) >= 99 for row in reports.rows("coverage"))
 
 

@@ -3,12 +3,16 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import json
 import re
 
 import pytest
 
+from lab.figures.studies import coverage
 from lab.rtl_coverage import annotated, counts as counting, exclusions, report as reporting
+from tools import whole_file
 from tools.project_root import ROOT
+from tools.reports.results import Results
 
 SOURCE = ["module ffd_a;", "wire w;", "always @*", "if (x)", "y = 1;", "endmodule"]
 WIDE = """v_line/ffd_a\t3\t1\tblock\t3\t7
@@ -48,6 +52,19 @@ def test_lines_of_a_branch_are_lines(tmp_path):
     row = rows(read(tmp_path, WIDE))[0]
     assert (row["lines"], row["line"]) == (3, 66.67)  # line 4 is of `else`, too
     assert "line 5" in row["missed_places"]
+
+
+def test_tables_and_figures_are_of_what_is_reported(tmp_path):
+    report = {"programs": 1, "share": 1, "rows": rows(read(tmp_path, WIDE), wanted=("ffd_a", "ffd_b")),
+              "cpp": [{"folder": "golden", "lines": 20, "line": 95.0, "branches": 10, "branch": 90.0}]}
+    whole_file.write(tmp_path / "build" / "reports" / "coverage.json", json.dumps(report))
+    reports = Results(tmp_path)
+    assert coverage.modules(reports).rows == [["`ffd_a`", "3", "66.67", "2", "50.00", "2", "50.00", "0"],
+                                              ["`ffd_b`", "0", "-", "0", "-", "0", "-", "0"]]
+    assert "golden/" in coverage.printed(reports)
+    assert {name: round(figure(reports), 3) for name, figure in coverage.FIGURES.items()} == {
+        "modules": 2, "modules_full": 0, "line": 0.667, "branch": 0.5, "toggle": 0.5, "toggle_of_all": 0.5, "excluded": 0,
+        "programs": 1}
 
 
 def test_what_falls_short_is_named(tmp_path):
