@@ -147,6 +147,7 @@ def test_model_fits_too():
     ({"loss": "huber"}, "scale 0"),
     ({"weights": [1.0]}, "1 weights for 400 points"),
     ({"weights": [-1.0] * 400}, "weight -1"),
+    ({"weights": [1e308] * 400}, "the sum of the weights"),
     ({"points": np.full((400, 3), 9.0)}, "no point"),
 ])
 def test_bad_input_is_one_line(changes, text):

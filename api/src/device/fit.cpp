@@ -96,6 +96,10 @@ Carried carried(const Attachment& attachment, const Points& targets, const FitOp
   if (!(sum > 0.0)) {
     throw Error("fit: no point with a weight is in the lattice; make it larger, or move it there");
   }
+  if (!std::isfinite(sum)) {
+    throw UsageError(
+        "fit: the sum of the weights is beyond what a double holds; give smaller ones");
+  }
   for (double& weight : result.weights) weight /= sum;
   result.targets.resize(static_cast<Eigen::Index>(result.rows.size()), 3);
   for (std::size_t i = 0; i < result.rows.size(); ++i) {
