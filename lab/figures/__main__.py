@@ -75,10 +75,10 @@ def run(options):
     before = {name: _written(fresh.path(name)) for name in names}
     status = _ended(options.command)
     changed = [name for name in names if _written(fresh.path(name)) not in (None, before[name])]
+    for name in changed:
+        if hasattr(MODULES.get(name), "finished"):
+            whole_file.write(fresh.path(name), json.dumps(MODULES[name].finished(fresh)) + "\n")
     try:
-        for name in changed:
-            if hasattr(MODULES.get(name), "finished"):
-                whole_file.write(fresh.path(name), json.dumps(MODULES[name].finished(fresh)) + "\n")
         if changed and options.show:
             options.names = ",".join(changed)
             show(options)
