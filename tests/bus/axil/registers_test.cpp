@@ -227,5 +227,19 @@ TEST_F(FirstErrors, AnErrorWithoutAnAddressHidesNone) {
   expect_first(2, {0x0004, 3, 4, 0});
 }
 
+TEST_F(FirstErrors, EachCodeIsTheFirstAloneAndBelowAllOthers) {
+  const std::uint64_t all = bench_.input_ports().at("error_event_i").largest;
+  unsigned code = 0;
+  for (std::uint64_t alone = 1; alone <= all; alone <<= 1, ++code) {
+    for (const std::uint64_t events : {alone, all & ~(alone - 1)}) {
+      const Error error{events, code + 1, code + 2, code + 3};
+      raise(error);
+      expect_first(code, error);
+      bench_.set_bit("ERROR_FIRST.valid");
+    }
+  }
+  EXPECT_EQ(code, 30u);
+}
+
 }  // namespace
 }  // namespace hwffd::test
