@@ -234,6 +234,8 @@ NOTHING = np.zeros((12, 16, 20), np.float32)
     ({"fixed": np.where(np.indices(NOTHING.shape)[0] == 3, np.nan, 1.0)}, "NaN"),
     ({"mask": NOTHING}, "mask"),
     ({"mask": np.ones((3, 3, 3))}, "mask: "),
+    ({"mask": np.where(np.indices(NOTHING.shape)[0] == 3, np.nan, 1.0)}, "mask: 320 voxels are NaN"),
+    ({"moving_mask": np.full((24, 28, 32), np.nan)}, "moving_mask: 21504 voxels are NaN"),
     ({"spacing": 50}, "spacing"),
     ({"spacing": -1}, "spacing"),
     ({"spacing": (1, 2)}, "spacing"),

@@ -79,6 +79,9 @@ def _mask(mask: Image | None, volume: Volume, name: str) -> NDArray[np.uint8] | 
         raise UsageError(f"{name}: its voxels lie elsewhere than the volume's; resample it to that grid")
     if values.shape != volume.values.shape:
         raise UsageError(f"{name}: {values.shape} voxels; give {volume.values.shape}, as the volume has")
+    if np.isnan(values).any():
+        raise UsageError(f"{name}: {np.count_nonzero(np.isnan(values))} voxels are NaN; give 0 where voxels are to "
+                         "count for nothing")
     return np.ascontiguousarray(values != 0, np.uint8)
 
 
