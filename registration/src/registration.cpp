@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -46,6 +47,16 @@ std::array<double, 3> voxel_lengths(const Volume& volume) {
     const auto& rows = volume.to_point().linear;
     result[a] =
         std::sqrt(rows[0][a] * rows[0][a] + rows[1][a] * rows[1][a] + rows[2][a] * rows[2][a]);
+  }
+  return result;
+}
+
+/// The least of these of axes with more than one voxel.
+double nearest_voxels(const Volume& volume) {
+  const auto lengths = voxel_lengths(volume);
+  double result = std::numeric_limits<double>::infinity();
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (volume.counts()[a] > 1) result = std::min(result, lengths[a]);
   }
   return result;
 }
@@ -411,8 +422,7 @@ class Registration {
     limits.evaluations = 20 * options_.iterations + 20;
     limits.tolerance = options_.tolerance;
     limits.window = kWindow;
-    const auto lengths = voxel_lengths(fixed_levels_[static_cast<std::size_t>(at)].volume);
-    limits.first_step = std::min({lengths[0], lengths[1], lengths[2]});
+    limits.first_step = nearest_voxels(fixed_levels_[static_cast<std::size_t>(at)].volume);
     limits.gradient = kLittle / limits.first_step;
     std::function<bool(const std::vector<double>&)> accepts;
     if (level.barrier) {

@@ -244,6 +244,18 @@ TEST(Registration, UnitOfLengthDoesNotMatter) {
   EXPECT_EQ(results[2], results[0]);
 }
 
+/// How thick the one slice of an image of two dimensions is.
+TEST(Registration, ThicknessOfASliceDoesNotMatter) {
+  std::vector<double> ends;
+  for (const double thickness : {1.0, 0x1p-17}) {
+    AffineMap map;
+    map.linear[2][2] = thickness;
+    const Phantom phantom({32, 28, 1}, 1.0, map);
+    ends.push_back(register_volumes(phantom.fixed(), phantom.moving(), options_of(8)).metric_end);
+  }
+  EXPECT_EQ(ends[1], ends[0]);
+}
+
 TEST(Registration, BendingWeightMakesItSmoother) {
   const Phantom phantom({32, 32, 1}, 2.0);
   RegistrationOptions options = options_of(4);
