@@ -222,6 +222,16 @@ def test_a_point_of_a_lattice_that_goes_is_not_moved(slow):
     assert "dims" in slow.page.evaluate("sent") and "points" not in slow.page.evaluate("sent")
 
 
+@pytest.mark.parametrize("text", ["", "1e39"])
+def test_what_is_no_place_moves_nothing(tab, text):
+    """An empty field, and a number that binary32 does not hold: the field has the place again."""
+    rest, place = saved_points(tab), tab.place()
+    tab.page.fill("#place-0", text)
+    tab.page.keyboard.press("Tab")
+    assert tab.place() == place
+    assert saved_points(tab) == rest
+
+
 def test_folds(tab):
     """A lattice that folds is taken, and one sentence says where."""
     tab.load("folded.json", lattice(swapped=True), "#lattice-file")

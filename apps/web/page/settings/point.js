@@ -12,7 +12,7 @@ export class PointFields {
     this.showSoon = paced(() => this.show());
     for (const axis of AXES) {
       byId(`index-${axis}`).addEventListener("change", () => this.indexed());
-      byId(`place-${axis}`).addEventListener("change", () => this.placed());
+      byId(`place-${axis}`).addEventListener("change", () => this.placed(axis));
     }
   }
 
@@ -43,8 +43,12 @@ export class PointFields {
     this.does.choose((i * dims[1] + j) * dims[2] + k);
   }
 
-  placed() {
-    const place = AXES.map((axis) => Number(byId(`place-${axis}`).value));
-    if (place.every(Number.isFinite)) this.does.move(this.index, place);
+  /** Along one axis. What is no number that the core takes, such as an empty field, moves nothing. */
+  placed(axis) {
+    const text = byId(`place-${axis}`).value;
+    const place = this.lattice().points.slice(3 * this.index, 3 * this.index + 3);
+    place[axis] = Number(text);
+    if (text === "" || !place.every(Number.isFinite)) this.show();
+    else this.does.move(this.index, place);
   }
 }
