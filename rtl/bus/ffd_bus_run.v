@@ -3,9 +3,10 @@
 // Between registers (ffd_bus_registers), DMA engine (ffd_dma_engine) and core (hwffd_stream).
 // CHECK: the result area is offered to the DMA, which may refuse it; then the run ends. RUN: the
 // ring is started, ring_head_o follows ring_head_i. The run ends when DMA and core have been idle
-// for 8 clocks; after a fault of the bus (stopped_o), when the DMA has been halted that long.
-// Between runs the ring sees no new head. Base and size of the ring are taken by the start that
-// finds it stopped, so that software cannot change them under it.
+// for 8 clocks in which no new head came; after a fault of the bus (stopped_o), when the DMA has
+// been halted that long. So between runs the ring has nothing to do, and it sees no new head. Base
+// and size of the ring are taken by the start that finds it stopped, so that software cannot change
+// them under it.
 // soft_reset_i ends a run without done_o and clears stopped_o. It wins over start_i. core_rst_o,
 // the reset of the whole core, follows rst and the DMA's clearing a clock later, from a register.
 // rst lasts two clocks at least, so that none of the core's results outlives it.
@@ -63,6 +64,7 @@ module ffd_bus_run #(
   reg        stopped_q;
   wire       clear   = soft_reset_i || dma_clearing_i;
   wire       quiet   = stopped_q ? dma_halted_i : dma_idle_i && core_idle_i;
+  wire       moves   = ring_head_o != ring_head_i;  // of which the DMA cannot show anything yet
   wire       settled = count_q == 3'd7;
   wire       accept  = state_q == IDLE && start_i && !clear;
   wire       checked = state_q == CHECK && settled && !write_error_i && !clear;
@@ -86,7 +88,7 @@ module ffd_bus_run #(
   end
 
   always @(posedge clk) begin
-    if (rst || accept || checked || (state_q == RUN && !quiet)) count_q <= 3'd0;
+    if (rst || accept || checked || (state_q == RUN && (!quiet || moves))) count_q <= 3'd0;
     else if (!settled) count_q <= count_q + 3'd1;
   end
 

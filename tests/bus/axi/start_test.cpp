@@ -144,6 +144,40 @@ TEST_P(AxiStart, AHeadThatGoesWrongEndsTheRun) {
   EXPECT_GT(refused, 5U);
 }
 
+/// Descriptors that come while a run ends are worked off before its end, or not before the next
+/// start.
+TEST_P(AxiStart, AHeadAtItsEndIsOfThisRunOrOfTheNext) {
+  constexpr std::uint64_t kBefore = 60, kLate = 6;
+  AxiRun whole(GetParam(), 6);
+  whole.send_scene(3);
+  whole.start();
+  std::uint64_t end = 0;
+  for (; !whole.system().interrupt() && end < 100'000; ++end) whole.system().run(1);
+  unsigned of_next = 0;
+  for (std::uint64_t clocks = end - kBefore; clocks < end; ++clocks) {
+    SCOPED_TRACE(clocks);
+    AxiRun run(GetParam(), 6);
+    run.send_scene(3);
+    run.start(3 + kLate);
+    run.system().run(clocks);
+    const std::vector<Beat> late = vertices_packet(run.vertices(kLate));
+    run.ring().put(late);
+    ASSERT_TRUE(run.wait());
+    const unsigned pending = run.driver().pending();
+    if (pending == 0) run.expect(late);
+    ASSERT_TRUE(run.finish());
+    if (pending == 0) continue;
+    run.system().run(1000);
+    EXPECT_EQ(run.driver().pending(), pending);
+    EXPECT_EQ(run.driver().result_count(), 3U);
+    run.expect(late);
+    EXPECT_TRUE(run.go());
+    ++of_next;
+  }
+  EXPECT_GT(of_next, 5U);
+  EXPECT_LT(of_next, kBefore);
+}
+
 HWFFD_FOR_EACH_AXI_CONFIGURATION(AxiStart);
 
 }  // namespace
