@@ -533,7 +533,8 @@ module ffd_bus_core #(
   // ---- why it is slow
 
   wire starved   = busy && packet_ready && !packet_valid;
-  wire read_beat = m_axi_rvalid && (DATA_WIDTH < 256 || m_axi_rready);  // else it is always ready
+  wire read_ends = m_axi_rvalid && m_axi_rlast
+                && (DATA_WIDTH < 256 || m_axi_rready);  // else it is always ready
 
   ffd_bus_waits #(
     .COUNT_WIDTH(COUNT_WIDTH),
@@ -545,8 +546,8 @@ module ffd_bus_core #(
     .clear_i       (clear_counters),
     .core_i        ({core_wait[1:0], starved}),
     .read_begins_i (m_axi_arvalid && m_axi_arready),
-    .read_beat_i   (read_beat),
-    .read_ends_i   (read_beat && m_axi_rlast),
+    .read_beat_i   (m_axi_rvalid),
+    .read_ends_i   (read_ends),
     .write_begins_i(m_axi_wvalid && m_axi_wready && m_axi_wlast),
     .write_ends_i  (m_axi_bvalid),
     .counts_o      (waits)
