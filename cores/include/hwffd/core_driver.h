@@ -68,7 +68,7 @@ struct hwffd_core_identity {
   unsigned format;      /**< 0 fp32, W fxW, 99 bfp32 */
   unsigned schedule;    /**< 0 overlapped, 1 paper */
   unsigned evaluator;   /**< 0 pipelined, 1 iterative, 3 powers */
-  unsigned in_flight;   /**< most vertices inside */
+  unsigned in_flight;   /**< most evaluations at once */
   unsigned points_axis; /**< of the resident lattice; 0: none */
   unsigned grid_limit;  /**< a grid has 2^grid_limit vertices at most; 0 without grids */
   uint32_t features;    /**< HWFFD_FEATURES_*_MASK */

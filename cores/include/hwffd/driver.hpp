@@ -32,7 +32,7 @@ struct CoreIdentity {
   unsigned format;         ///< 0 fp32, W fxW, 99 bfp32
   unsigned schedule;       ///< 0 overlapped, 1 paper
   unsigned evaluator;      ///< 0 pipelined, 1 iterative, 3 powers
-  unsigned in_flight;      ///< most vertices inside
+  unsigned in_flight;      ///< most evaluations at once
   unsigned points_axis;    ///< of the resident lattice; 0: none
   std::uint32_t features;  ///< HWFFD_FEATURES_*_MASK
   unsigned pages;          ///< of points, the two buffers of opcode 2 among them; 0: none
