@@ -30,7 +30,7 @@ int carry_out(StudyProgram& program) {
   std::int64_t vertices = 4001;
   std::int64_t seam_values = 60'000;
   std::uint64_t seed = 1;
-  std::string operators = "build/generated/operators.json";
+  std::string operators = HWFFD_OPERATORS;  // of this build
   program.number("--vertices", vertices,
                  "random vertices of every row, 41 and a multiple of 120; slow rows: 1241 at most",
                  161, 1'000'000);

@@ -1,5 +1,6 @@
 """Speeds that are compared are those of code compiled alike: the models of the evaluators and eq. (1)
-in C++ beside them have the same options of optimization and processor, and no threads.
+in C++ beside them have the same options of optimization and processor, and no threads. And the program reads
+the count of operators that this build makes.
 
 Called with the build folder and the name of a model.
 
@@ -27,11 +28,15 @@ def effective(words):
     return options
 
 
-def options(build, file):
+def words(build, file):
     """Those with which a file is compiled."""
     commands = json.loads((pathlib.Path(build) / "compile_commands.json").read_text())
     (command,) = (entry["command"] for entry in commands if entry["file"].endswith(file))
-    return effective(shlex.split(command))
+    return shlex.split(command)
+
+
+def options(build, file):
+    return effective(words(build, file))
 
 
 def test_same_for_model_and_reference(arguments):
@@ -46,3 +51,11 @@ def test_models_have_one_thread(arguments):
                             stdout=subprocess.PIPE, text=True, check=True)
     (line,) = (line for line in result.stdout.splitlines() if f"--prefix V{model} " in line)
     assert "--threads" not in shlex.split(line)
+
+
+def test_operators_are_those_that_the_build_counts(arguments):
+    build, _ = arguments
+    (path,) = (word.partition("=")[2].strip('"') for word in words(build, "organizations/main.cpp")
+               if word.startswith("-DHWFFD_OPERATORS="))
+    result = subprocess.run(["ninja", "-C", build, "-t", "query", path], stdout=subprocess.PIPE, text=True, check=True)
+    assert "configurations.csv" in result.stdout
