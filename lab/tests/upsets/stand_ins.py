@@ -10,6 +10,7 @@ GOOD, BAD = ("no_effect", "flagged", "silent"), ("no_effect", "flagged", "hang_s
 _PROGRAM = """#!{python}
 import sys, zlib
 words = dict(zip(sys.argv[1::2], sys.argv[2::2]))
+open(words["--design"]).close()
 with open(words["--out"], "w") as out:
     print("# clocks 100 registers 8 memory_bits 64", file=out)
     print("clock,module,name,word,bit,outcome,recovered,restarted,outside_read", file=out)
@@ -29,10 +30,11 @@ json.dump({{"modules": {{top: {{"cells": {{str(n): flip_flop for n in range(2 + 
 """
 
 
-def programs(folder, outcomes=GOOD):
-    """{name: text} of those that flip bits."""
+def programs(folder, designs, outcomes=GOOD):
+    """{name: text} of those that flip bits, and of what they read."""
     text = _PROGRAM.format(python=sys.executable, outcomes=outcomes)
-    return {f"{folder}/hwffd-upsets-{name}": text for name in ("stream", "stream-hardened", "axi", "axi-hardened")}
+    return {path: content for name in ("stream", "stream-hardened", "axi", "axi-hardened")
+            for path, content in ((f"{folder}/hwffd-upsets-{name}", text), (f"{designs}/{name}.json", "{}\n"))}
 
 
 def yosys():

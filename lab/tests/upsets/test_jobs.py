@@ -21,12 +21,12 @@ TOPS = (("stream", "stream-hardened"), ("axi", "axi-hardened"))
 def _study(checkout):
     """Runs the study: (exit status, complaints, report)"""
     def run(*words, outcomes=GOOD):
-        checkout.put(stand_ins.programs("programs", outcomes), 0o755)
+        checkout.put(stand_ins.programs("programs", "designs", outcomes), 0o755)
         report = checkout.root / "reports" / "upsets.json"
         report.unlink(missing_ok=True)
         status, _, errors = checkout.run(
-            sys.executable, "-B", "-m", "lab.upsets", "--programs", "programs", "--output", ".", "--flips",
-            "12", *words, env={**os.environ, "PATH": f"{checkout.root}/bin:{os.environ['PATH']}"})
+            sys.executable, "-B", "-m", "lab.upsets", "--programs", "programs", "--designs", "designs", "--output", ".",
+            "--flips", "12", *words, env={**os.environ, "PATH": f"{checkout.root}/bin:{os.environ['PATH']}"})
         complaints = [line for line in errors.splitlines() if "flips in" not in line and "costs" not in line]
         return status, complaints, json.loads(report.read_text()) if report.exists() else None
 

@@ -53,7 +53,7 @@ class Tree:
 
     def buildable(self, fails=-1):
         """Stand-ins for CMake and for what it builds."""
-        self.put({"bin/yosys": stand_ins.yosys(), **stand_ins.programs("build/lab/upsets"),
+        self.put({"bin/yosys": stand_ins.yosys(), **stand_ins.programs("build/lab/upsets", "build/lab/product/upsets"),
                   "program": PROGRAM.format(python=sys.executable, fails=fails),
                   "bin/cmake": CMAKE.format(python=sys.executable, root=self.root)}, 0o755)
 
