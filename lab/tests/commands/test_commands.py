@@ -3,6 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import re
 import shutil
 
 import pytest
@@ -20,6 +21,25 @@ def lab(make, checkout, programs):
 [ "$1" != run ] && { echo figures; exit; }
 while [ "$1" != -- ]; do shift; done; shift; exec "$@" """)
     return lambda *words, **variables: make("--no-print-directory", "-C", "lab", *words, **variables)
+
+
+STUDIES = re.search(r"^STUDIES = ((?:.*\\\n)*.*)$", (ROOT / "lab" / "Makefile").read_text(encoding="utf-8"),
+                    re.MULTILINE)[1].replace("\\", "").split()
+SETS = dict(re.findall(r"^\[(.+)\] *([^#\n]*)", "".join((ROOT / folder / "packages.txt").read_text(encoding="utf-8")
+                                                      for folder in ("tools", "lab")), re.MULTILINE))
+
+
+def has_packages(name):
+    """Whether build/venv is made for a set, as tools/python_env does."""
+    return any((ROOT / folder / f"requirements-{name}.txt").is_file() for folder in ("tools", "lab")) or any(
+        map(has_packages, SETS[name].split()))
+
+
+@pytest.mark.parametrize("name", sorted(set(STUDIES) - {"formal"}))
+def test_the_python_that_a_study_starts_is_installed(lab, name):
+    """On a machine that has nothing build/venv comes with the packages of a set."""
+    word, *sets = lab(name)[1][0].split()
+    assert word == "install" and any(map(has_packages, sets))
 
 
 @pytest.mark.parametrize("name", ("words", "embed", "tangents"))
