@@ -154,7 +154,7 @@ def test_what_ctest_wrote(checkout, reports):
         <testcase name="api.c.d" time="7" status="run"/></testsuite>"""})
     tests_tables.collect(checkout.root / "build/reports/tests.xml", 2)
     data = reports()
-    assert [data.figure("tests", what) for what in ("tests", "failed", "skipped")] == [3, 1, 2]
+    assert [data.figure("tests", what) for what in ("tests", "failed", "skipped", "not_passed")] == [3, 1, 2, 3]
     assert text_blocks.table(data, "tests.suites").rows == [["`api`", "1", "7"], ["`lint`", "2", "2"]]
     assert text_blocks.table(data, "tests.longest").rows[0] == ["`api.c.d`", "7"]
 

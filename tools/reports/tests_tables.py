@@ -43,9 +43,16 @@ def longest(reports):
     return listing(reports.get("tests")["longest"], "step | `name`", "seconds | seconds:,.0f")
 
 
+def not_passed(reports):
+    """Skipped and failed ones; 0.2.0 has their sum."""
+    report = reports.get("tests")
+    return report["not_passed"] if "not_passed" in report else report["skipped"] + report["failed"]
+
+
 def missing(reports):
     """What is committed is of all tests: a run by hand may have left some out."""
     return "" if len(reports.rows("tests")) >= 15 else "suites"
 
 
 TABLES = {"suites": suites, "longest": longest}
+FIGURES = {"not_passed": not_passed}
