@@ -27,7 +27,7 @@ Run run(CoreRow& row, const Scene& scene, const Normalization& normalization, st
   const auto core = cores::make_stream_core(row.row, seed);
   tb::StreamBenchOptions options;
   options.test = {fmt::format("compare {}", row.row.name), seed,
-                  fmt::format("build/lab/hwffd-compare --row {}", row.row.name)};
+                  fmt::format("build/lab/compare/hwffd-compare --row {}", row.row.name)};
   tb::StreamBench bench(*core, options);
   const std::vector<Beat> vertices = vertices_packets(vertex_beats(scene.vertices, codec));
   std::vector<Beat> beats = coefficients_packet(watertight_bspline(codec), codec);

@@ -71,7 +71,7 @@ class Study {
     const auto core = cores::make_stream_core(result_.row, seed_);
     tb::StreamBenchOptions options;
     options.test = {fmt::format("tangents {}", result_.row.name), seed_,
-                    fmt::format("build/apps/hwffd-tangents --seed {}", seed_)};
+                    fmt::format("build/lab/tangents/hwffd-tangents --seed {}", seed_)};
     tb::StreamBench bench(*core, options);
     std::vector<Beat> beats =
         coefficients_packet(watertight_bspline(codec_), codec_, Functions::kDerivativesToo);

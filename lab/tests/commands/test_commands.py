@@ -42,6 +42,14 @@ def test_the_python_that_a_study_starts_is_installed(lab, name):
     assert word == "install" and any(map(has_packages, sets))
 
 
+def test_programs_that_are_named_are_where_they_are_built():
+    """Those of pages, and of the commands that repeat a failure."""
+    named = {(path, *match) for pattern in ("docs/*.md", "*/*.cpp") for path in (ROOT / "lab").glob(pattern)
+             for match in re.findall(r"\b(build/[\w/]*)hwffd-(\w+)", path.read_text(encoding="utf-8"))}
+    assert named and {(folder, program) for _, folder, program in named} == {
+        (f"build/lab/{program}/", program) for *_, program in named}
+
+
 @pytest.mark.parametrize("name", ("words", "embed", "tangents"))
 def test_a_study_builds_one_program_and_runs_it(lab, programs, name):
     programs(**{f"build__lab__{name}__hwffd_{name}": f'echo "{name}<$*>"'})
