@@ -102,7 +102,10 @@ def _differing(ours):
 def missing(reports):
     """What is committed has every pair, program and comparison of bits."""
     report = reports.get("align")
-    absent = [row["program"] for row in report["programs"] if row["absent"]]
+    measured = {row["program"] for row in report["rows"]}
+    absent = [row["program"] for row in report["programs"] if row["absent"] or row["program"] not in measured]
+    absent += [f"{row['program']} on {row['pair']}" for row in report["failed"]
+               if row["program"] in _subjects(report) & measured]
     if absent:
         return f"{', '.join(absent)}"
     return "" if len(report["pairs"]) > 1 and report["bits"] else "pairs or bits"

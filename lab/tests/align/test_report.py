@@ -136,6 +136,17 @@ def test_tables(measured):
     assert tables.missing(data) == LOST
 
 
+def test_a_report_without_a_result_of_hwffd_is_not_whole(measured):
+    """Although the command, which ends with 1, has a report to publish."""
+    data = copy.deepcopy(measured[1])
+    data["programs"][3]["absent"] = None
+    data["rows"] = [row for row in data["rows"] if row["program"] != OWN]
+    data["failed"] = [{"program": name, "pair": "phantom 16^3", "why": "ended with -11"} for name in (OWN, PEER)]
+    assert tables.missing(Reports(data)) == f"{OWN}, {LOST}"
+    data["programs"][3]["absent"], data["rows"] = LOST, measured[1]["rows"]
+    assert tables.missing(Reports(data)) == f"{LOST}, {OWN} on phantom 16^3"
+
+
 def test_what_an_earlier_report_has_of_others_stays(measured, monkeypatch, tmp_path):
     before = measured[1]
     monkeypatch.setitem(ERRORS, OWN, 0.01)
