@@ -60,7 +60,7 @@ def _of_all(reports):
 
 def _full(reports):
     return sum(any(_places(row, kind) for kind in KINDS) and row["line"] in (100, None) and row["branch"] in (100, None)
-               and (row["toggle"] or 100) >= 99 for row in reports.rows("coverage"))
+               and (row["toggle"] is None or row["toggle"] >= 99) for row in reports.rows("coverage"))
 
 
 TABLES = {"modules": modules, "cpp": cpp}

@@ -67,6 +67,13 @@ def test_tables_and_figures_are_of_what_is_reported(tmp_path):
         "programs": 1}
 
 
+@pytest.mark.parametrize("toggle, full", ((None, 1), (99.0, 1), (98.9, 0), (0.0, 0)))
+def test_modules_as_asked(tmp_path, toggle, full):
+    row = {"line": 100.0, "lines": 2, "branch": None, "branches": 0, "toggle": toggle, "toggles": 4, "excluded": 0}
+    whole_file.write(tmp_path / "build" / "reports" / "coverage.json", json.dumps({"rows": [row]}))
+    assert Results(tmp_path, modules={"coverage": coverage}).figure("coverage", "modules_full") == full
+
+
 def test_what_falls_short_is_named(tmp_path):
     report = {"rows": rows(read(tmp_path, WIDE), wanted=("ffd_a", "ffd_b")),
               "cpp": [{"folder": "golden", "line": 95.0, "branch": 89.9}]}
