@@ -9,7 +9,7 @@ from tools.reports.results import RequestError
 from tools.reports.text_table import Table, shown
 from tools.tables import configurations, organizations
 
-FORMATS = ("fp32", "fx18", "fx32")
+FORMATS = ("fp32", "fx17", "fx18", "fx32")
 
 
 def first(rows, **wanted):
@@ -23,13 +23,18 @@ def _operators(row, field):
     return f"{counted['mul']} + {counted['add']}" if counted else "-"
 
 
+def _fixed(rows):
+    """Those in fx18, or else in fx17."""
+    return next((part for word in ("fx18", "fx17") if (part := [row for row in rows if row["format"] == word])), [])
+
+
 def clocks(reports):
-    """Section 4 of the paper; operators in fixed point."""
+    """Section 4 of the paper and what goes beyond it; operators in fixed point."""
     everything, lines = rows(reports), []
     for name in dict.fromkeys(organizations.label(row) for row in everything):
         selected = [row for row in everything if organizations.label(row) == name]
         plain = [row for row in selected if is_plain(row)]
-        fixed = [row for row in plain if row["format"] == "fx18"]
+        fixed = _fixed(plain)
         paper = first(fixed, schedule="paper")
         overlapped = first(fixed, schedule="overlapped")
         fused = first(selected, schedule="paper", fmac=True)
@@ -38,7 +43,7 @@ def clocks(reports):
                 f"`{name}`", shown(overlapped["formula"]), shown(paper.get("clocks_paper")),
                 shown(fused.get("clocks_paper")), _operators(paper, "operators"),
                 _operators(paper, "operators_drawn"),
-                shown(overlapped["interval_overlapped"], "g"), _operators(overlapped, "operators"),
+                shown(overlapped["interval_overlapped"], ".3g"), _operators(overlapped, "operators"),
                 *(shown(first(plain, schedule="overlapped", format=word).get("max_error"), ".2e")
                   for word in FORMATS)])
     return Table(["organization", "formula", "counted", "fused", "multipliers + adders", "as drawn",
@@ -51,8 +56,7 @@ def units(reports, *names):
     everything, lines = [row for row in rows(reports) if is_plain(row)], []
     for name in names:
         selected = [row for row in everything if organizations.label(row, "") == name]
-        fixed = next((part for word in ("fx18", "fx17")
-                      if (part := [row for row in selected if row["format"] == word])), [])
+        fixed = _fixed(selected)
         paper, overlapped = (first(fixed, schedule=schedule) for schedule in ("paper", "overlapped"))
         if not overlapped:
             raise RequestError(f"no organization '{name}' in fx18 or fx17")

@@ -71,9 +71,17 @@ def data(reports):
 def test_a_line_for_each_organization(data):
     table = organizations.clocks(data)
     assert [line[0] for line in table.rows] == ["`basic`", "`tree 8`", "`parallel`", f"`{BEYOND}`"]
-    assert table.rows[0][1:] == ["96", "96", "-", "4 + 3", "64 + 48", "64", "8 + 6", "2.31e-07",
+    assert table.rows[0][1:] == ["96", "96", "-", "4 + 3", "64 + 48", "64", "8 + 6", "2.31e-07", "-",
                                  "8.65e-05", "-"]
     assert table.rows[3][1:3] == ["-", "-"]
+
+
+def test_organizations_of_17_bits_have_a_line_too(reports):
+    rows = [samples.organization("walk2-fx17-overlapped", 16, org="walk/2"),
+            samples.organization("affine4x3-fx17-overlapped", 4 / 3, org="affine/4x3")]
+    table = organizations.clocks(reports(organizations={"rows": rows}))
+    assert [[line[0], line[6], line[9]] for line in table.rows] == [
+        ["`walk/2`", "16", "8.65e-05"], ["`affine/4x3`", "1.33", "8.65e-05"]]
 
 
 def test_units_of_organizations_that_are_named(data):
