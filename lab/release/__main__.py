@@ -118,9 +118,18 @@ class Release:
             self.known = {"version": self.version, "commit": self.commit, "machine": machine(), "tools": programs()}
         return self.known
 
+    def prepare(self, fresh):
+        """Reports of others, which some commands join with their own, are those of this release, or none."""
+        for name, report in (row for rows in self.studies.values() for row in rows):
+            if self.path(name).is_file():
+                whole_file.write(fresh / f"{report}.json", self.path(name).read_text(encoding="utf-8"))
+            else:
+                (fresh / f"{report}.json").unlink(missing_ok=True)
+
     def measure(self, command, reports):
         """Runs a command and takes its reports; what is wrong, '' if nothing."""
         fresh = self.root / results.FRESH
+        self.prepare(fresh)
         for _, report in reports:
             (fresh / f"{report}.json").unlink(missing_ok=True)
         log = self.root / "build" / "results" / f"{reports[0][0]}.log"

@@ -100,6 +100,18 @@ def test_some_of_them(tree, measured):
     assert (status, ran) == (0, ["a"]) and out[-1].startswith("results: docs/results/1.2.3 is whole; ")
 
 
+def test_a_study_meets_the_reports_of_this_release_alone(tree, measured):
+    tree.put({"study.sh": STUDY + "[ $1 != b ] || cat build/reports/a.json > build/seen 2> /dev/null || true\n"})
+    tree.commit()
+    tree.put({"build/reports/a.json": '{"rows": [{"of": "another tree"}]}'})
+    assert measured("--only", "b")[0] == 0 and tree.text("build/seen") == ""
+    for name in "bc":
+        (folder(tree) / f"{name}.json").unlink()
+    assert measured("--only", "a")[0] == 0
+    tree.put({"build/reports/a.json": '{"rows": [{"of": "another tree"}]}'})
+    assert measured("--only", "b")[0] == 0 and json.loads(tree.text("build/seen"))["rows"] == [{"of": "a"}]
+
+
 def test_commits_of_results_and_texts_are_the_tree_that_is_measured(tree, measured):
     of = head(tree)
     measured("--only", "a")
