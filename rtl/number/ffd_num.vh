@@ -64,9 +64,10 @@
   ((FORMAT) == `FFD_FORMAT_FP32 ? 1 : `FFD_FORMAT_BLOCK(FORMAT) ? 4 : 2)
 
 // A multiplication and the addition behind it: two units, or one fused unit of FMA_LATENCY clocks
-// where that is not 0 (binary32 only: in fixed point the bits would be the same).
+// where that is not 0 (binary32 only: in fixed point the bits would be the same). With the 0 it has
+// 32 bits: a latency that is given as 3'd4 has three.
 `define FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY) \
-  ((FMA_LATENCY) > 0 ? (FMA_LATENCY) : (MUL_LATENCY) + (ADD_LATENCY))
+  ((FMA_LATENCY) > 0 ? (FMA_LATENCY) : 0 + (MUL_LATENCY) + (ADD_LATENCY))
 
 // Registers behind step STEP of a float unit of STEPS steps, LATENCY in all (ffd_fp_stage).
 `define FFD_FP_REGISTERS(LATENCY, STEPS, STEP) \

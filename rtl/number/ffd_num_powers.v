@@ -90,7 +90,7 @@ module ffd_num_powers #(
 
   ffd_num_delay #(
     .WIDTH  (W),
-    .LATENCY(MUL_LATENCY + ADD_LATENCY)
+    .LATENCY(`FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, 0))
   ) u_s_2 (
     .clk(clk),
     .rst(1'b0),
@@ -132,7 +132,7 @@ module ffd_num_powers #(
 
   ffd_num_delay #(
     .WIDTH  (W + POWER_W),
-    .LATENCY(MUL_LATENCY + ADD_LATENCY)
+    .LATENCY(`FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, 0))
   ) u_square_3 (
     .clk(clk),
     .rst(1'b0),

@@ -48,7 +48,7 @@ module ffd_scatter_sums #(
   localparam HIGH_W    = `FFD_SCATTER_HIGH_W(AXIS);
   localparam HIGHS_W   = 3 * 4 * HIGH_W;
   localparam BELOW_W   = 3 * HIGH_W + 2;  // of an address, below the page
-  localparam DEPTH     = PAGES << BELOW_W;
+  localparam DEPTH     = PAGES * 2 ** BELOW_W;
   localparam ADDRESS_W = $clog2(DEPTH);
   localparam PLACES_W  = 9 * HIGH_W;        // of one bank of s, four of t and of u
   localparam AT_W      = PAGE_W + 2 + PLACES_W;
