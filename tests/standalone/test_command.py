@@ -216,6 +216,14 @@ def test_two_cores_are_in_one_design(little, tmp_path):
     assert (status, output) == (0, "")
 
 
+def test_free_parameters_at_their_ends_change_no_word(tmp_path):
+    core = configuration.of_parameters(parameter_space.Space(), "hwffd_stream", "grids", {**LITTLE, "GRIDS": 1})
+    grids = bench.Folder(core, tmp_path / "grids", 100)
+    for end in 0, -1:
+        values = {free.name: free.values[end] for free in core.free.values()}
+        assert grids.passed(testbench=grids.with_parameters("grids", values), name=f"end{end}")[0] == 100
+
+
 def test_a_free_parameter_beyond_its_range_stops_elaboration(little, tmp_path):
     assert little.core.free["MUL_LATENCY"].text == "1 to 8"
     (tmp_path / "tb.v").write_text(little.with_parameters("little", {"MUL_LATENCY": 9}))

@@ -29,7 +29,6 @@ FREE = {
     **{name: range(MOST_LATENCY + 1) for name in LATENCIES},
     "IN_FLIGHT": (0, *(1 << bit for bit in range(2, 11))),
     "WAITING": tuple(1 << bit for bit in range(1, 9)),
-    "GRID_LIMIT": range(49),
     "READ_OUTSTANDING": tuple(1 << bit for bit in range(1, 7)),
     "WRITE_OUTSTANDING": tuple(1 << bit for bit in range(1, 7)),
     "FLUSH_CLOCKS": range(1, 65536),
@@ -181,8 +180,6 @@ def _free(space, top, parameters):
     found = _latencies(space, top, parameters)
     for name, values in FREE.items():
         if name in LATENCIES or name not in parameters or parameters[name] not in values:
-            continue
-        if name == "GRID_LIMIT" and not parameters["GRIDS"]:
             continue
         if isinstance(values, range):
             found[name] = Free(name, values)
