@@ -309,6 +309,23 @@ TEST_F(GltfEdit, MirrorsTurnTriangles) {
   EXPECT_EQ(checked, 12);
 }
 
+/// A strip that a mirror makes longer may be a short one of vertices that 16 bits do not number.
+TEST_F(GltfEdit, MirrorsTurnStripsOfManyVertices) {
+  constexpr std::uint32_t kVertices = 70000;
+  GltfModel model = square();
+  std::vector<float> places(3 * (kVertices - 4), 0.0f);
+  places.insert(places.end(), {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0});
+  model.primitive()["attributes"]["POSITION"] = model.add(places, "VEC3");
+  model.primitive()["indices"] = model.add<std::uint32_t>(
+      {kVertices - 4, kVertices - 3, kVertices - 2, kVertices - 1}, "SCALAR");
+  model.primitive()["mode"] = 5;
+  const Json json = json_in(mirrored(model));
+  const std::size_t indices = json["meshes"][0]["primitives"][0]["indices"];
+  EXPECT_EQ(stored<std::uint32_t>(json, buffer_in(read_text(folder / "b.glb")), indices),
+            (std::vector<std::uint32_t>{kVertices - 4, kVertices - 4, kVertices - 3, kVertices - 2,
+                                        kVertices - 1}));
+}
+
 /// What acts on the shape at rest is named, and stays.
 TEST_F(GltfEdit, SkinsAndMorphTargetsStay) {
   GltfModel model = adorned();

@@ -199,8 +199,9 @@ std::size_t AccessorEdit::append(Json object, const Accessor& like, const std::s
 
 std::size_t AccessorEdit::indices(const std::vector<std::uint32_t>& indices, std::size_t like) {
   Accessor accessor = accessors_[like];
-  // 65535 would restart a strip (section 3.7.2.1).
-  const bool is_short = indices.size() <= 65535;
+  constexpr std::uint32_t kRestart = 65535;  // would restart a strip (section 3.7.2.1)
+  const bool is_short = std::all_of(indices.begin(), indices.end(),
+                                    [](std::uint32_t index) { return index < kRestart; });
   accessor.type = is_short ? ComponentType::kUnsignedShort : ComponentType::kUnsignedInt;
   accessor.components = 1;
   accessor.size = size_of(accessor.type);
