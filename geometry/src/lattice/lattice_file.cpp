@@ -23,7 +23,8 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr int kVersion = 1;
-constexpr std::size_t kMostBytes = std::size_t{16} << 20;  // 4,096 points take 0.3 MB
+// 64 x 64 x 64 points and as many at rest take 80 bytes each at most.
+constexpr std::size_t kMostBytes = std::size_t{48} << 20;
 constexpr const char* kOrder = "point (i, j, k) is number (i*n_t + j)*n_u + k";
 
 constexpr int kNumberOverflow = 406;  // the library's number of that error
