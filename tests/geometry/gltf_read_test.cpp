@@ -1,7 +1,11 @@
 // glTF and GLB files as they are read: types, places and joins of their numbers, what they refer
 // to, and what is refused.
 
+#include <assimp/material.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
 
 #include "errors.hpp"
 #include "gltf_model.hpp"
@@ -345,6 +349,38 @@ TEST_F(GltfRead, AlphaIsNotSquared) {
     }
   }
   EXPECT_EQ(checked, 5);
+}
+
+/// Materials of one name, and those without any, are not taken for one in other formats, nor is the
+/// one's colour taken for lost by the other.
+TEST_F(GltfRead, MaterialsOfOneName) {
+  for (const std::string& name : {std::string("paint"), std::string()}) {
+    GltfModel model = square();
+    model.json["meshes"].push_back(Json(model.json["meshes"][0]));
+    model.json["nodes"].push_back({{"mesh", 1}});
+    model.json["scenes"][0]["nodes"] = {0, 1};
+    for (const std::size_t m : {0u, 1u}) {
+      model.primitive(m)["material"] = m;
+      Json& material = model.json["materials"][m];
+      if (!name.empty()) material["name"] = name;
+      material["pbrMetallicRoughness"] = {{"baseColorFactor", {1 - m, 0, m, 1}}};
+    }
+    const Mesh mesh = load(model.text(), "a.gltf");
+    for (const char* file : {"b.obj", "b.dae"}) {
+      SCOPED_TRACE(name + " " + file);
+      const std::vector<std::string> losses = mesh.save(folder / file);
+      EXPECT_EQ(std::count(losses.begin(), losses.end(), "statement kd of materials"), 0);
+      const Mesh written = Mesh::load(folder / file);
+      std::set<float> reds;
+      for (unsigned p = 0; p < written.scene().mNumMeshes; ++p) {
+        const unsigned m = written.scene().mMeshes[p]->mMaterialIndex;
+        aiColor4D colour;
+        written.scene().mMaterials[m]->Get(AI_MATKEY_COLOR_DIFFUSE, colour);
+        reds.insert(colour.r);
+      }
+      EXPECT_EQ(reds, (std::set<float>{0, 1}));
+    }
+  }
 }
 
 /// What other formats do not hold is named.

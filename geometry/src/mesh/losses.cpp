@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "hwffd/error.hpp"
 #include "hwffd/mesh/mesh.hpp"
@@ -112,21 +113,37 @@ std::set<Feature> features_of(const aiScene& scene) {
   return features;
 }
 
+/// Whether a material of the one name may have been written as that of the other: where several
+/// have a name, a writer puts a number behind it.
+bool may_be(const std::string& written, const std::string& name) {
+  if (written.compare(0, name.size(), name) != 0) return false;
+  const std::string rest = written.substr(name.size());
+  return rest.empty() || (rest.size() > 1 && (rest[0] == '_' || rest[0] == ' ') &&
+                          rest.find_first_not_of("0123456789", 1) == rest.npos);
+}
+
 /// Statements of materials that parts use and that the other scene has not, by name, or otherwise.
 void find_statements(const aiScene& read, const aiScene& written, std::set<std::string>& lost) {
-  std::map<std::string, const aiMaterial*> others;
-  for (unsigned m = 0; m < written.mNumMaterials; ++m) {
-    others.emplace(name_of(*written.mMaterials[m]), written.mMaterials[m]);
-  }
+  std::set<unsigned> used;
   each_part(read, [&](const aiMesh& part, std::size_t) {
-    if (part.mMaterialIndex >= read.mNumMaterials) return;
-    const aiMaterial& material = *read.mMaterials[part.mMaterialIndex];
-    const auto other = others.find(name_of(material));
-    if (name_of(material).empty() || other == others.end()) return;
-    for (const std::string& statement : mtl_differences(material, *other->second)) {
+    if (part.mMaterialIndex < read.mNumMaterials) used.insert(part.mMaterialIndex);
+  });
+  for (const unsigned m : used) {
+    const aiMaterial& material = *read.mMaterials[m];
+    const std::string name = name_of(material);
+    if (name.empty()) continue;
+    std::optional<std::vector<std::string>> fewest;
+    for (unsigned w = 0; w < written.mNumMaterials; ++w) {
+      const aiMaterial& other = *written.mMaterials[w];
+      if (!may_be(name_of(other), name)) continue;
+      std::vector<std::string> differences = mtl_differences(material, other);
+      if (!fewest || differences.size() < fewest->size()) fewest = std::move(differences);
+    }
+    if (!fewest) continue;
+    for (const std::string& statement : *fewest) {
       lost.insert("statement " + statement + " of materials");
     }
-  });
+  }
 }
 
 /// Whether each vertex of a file stands where it stood.

@@ -1,6 +1,8 @@
+#include <assimp/material.h>
 #include <fmt/format.h>
 
 #include <cstring>
+#include <map>
 #include <unordered_map>
 
 #include "hwffd/excerpt.hpp"
@@ -139,13 +141,30 @@ std::vector<std::string> names_in(const std::string& library) {
   return names;
 }
 
+/// A library knows a material by its name alone: where others have that name, too, a number
+/// follows.
+void part_names(aiScene& materials) {
+  std::map<std::string, unsigned> numbers;  // of names in use: of the last that was tried behind it
+  for (unsigned m = 0; m < materials.mNumMaterials; ++m) {
+    aiString name;
+    materials.mMaterials[m]->Get(AI_MATKEY_NAME, name);
+    const std::string given = name.C_Str();
+    std::string own = given;
+    while (!numbers.emplace(own, 0).second) own = fmt::format("{}_{}", given, ++numbers[given]);
+    name = aiString(own);
+    materials.mMaterials[m]->AddProperty(&name, AI_MATKEY_NAME);
+  }
+}
+
 }  // namespace
 
 /// Materials are Assimp's: its library beside our vertices and faces.
 Files write_obj(const Output& output) {
   const std::string name = output.path.filename().string();
   const std::string library = output.path.stem().string() + ".mtl";
-  Files files = assimp_export(*materials_of(output, false), "obj", name);
+  const std::unique_ptr<aiScene> materials = materials_of(output, false);
+  part_names(*materials);
+  Files files = assimp_export(*materials, "obj", name);
   files[name] = ObjText(output, names_in(files[library])).write(library);
   return files;
 }
