@@ -60,9 +60,24 @@ def test_sources_are_those_of_the_list(platform):
     assert all(os.path.isdir(path) for path in platform.verilog_include_paths)
 
 
-def test_a_folder_of_one_core_will_do(tmp_path):
-    (tmp_path / "core.v").write_text("")
+@pytest.mark.parametrize("fixed", ({"DATA_WIDTH": 128, "ADDRESS_WIDTH": 40, "ID_WIDTH": 3, "MAX_BURST": 256, "BUS_TIMEOUT": 0}, {}))
+def test_a_folder_of_one_core_will_do(platform, tmp_path, fixed):
+    """As `hwffd core` writes it: what is fixed is no parameter, and the testbench no source."""
+    constants = "".join(f"  localparam {name:<13} = {value};\n" for name, value in fixed.items())
+    (tmp_path / "core.v").write_text(f"// core\n\nmodule core #(\n  parameter READ_OUTSTANDING = 8\n) (\n);\n{constants}endmodule\n"
+                                     "\nmodule core_part (\n);\n  localparam READ_DEPTH = 2;\nendmodule\n")
+    (tmp_path / "core_tb.v").write_text("module core_tb;\nendmodule\n")
     assert sources(tmp_path) == ([str(tmp_path / "core.v")], [str(tmp_path)])
+    core = Hwffd(platform, tmp_path)
+    assert set(core.parameters) == set(Hwffd(platform, RTL).parameters) - set(fixed)
+    (instance,) = (special for special in core.get_fragment().specials if special.of == "core")
+    assert len(core.dma.r.data) == fixed.get("DATA_WIDTH", 64) and len(core.dma.ar.addr) == fixed.get("ADDRESS_WIDTH", 32)
+    assert {item.name for item in instance.items if type(item).__name__ == "Parameter"} == set(core.parameters)
+
+
+def test_a_top_that_is_not_there_is_one_line(platform):
+    with pytest.raises(RtlError, match="^no other.v among the sources of the core$"):
+        Hwffd(platform, RTL, top="other")
 
 
 @pytest.mark.parametrize("folder", (None, "", "absent"))

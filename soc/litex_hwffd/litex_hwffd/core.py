@@ -3,6 +3,8 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import pathlib
+import re
 from types import SimpleNamespace
 
 from litex.gen import LiteXModule
@@ -11,36 +13,50 @@ from litex.soc.interconnect import axi
 from migen import ClockSignal, Instance, ResetSignal, Signal
 
 from litex_hwffd.bridge import AxiToWishbone
-from litex_hwffd.sources import sources
+from litex_hwffd.sources import RtlError, sources
 
 REGISTERS = 0x1000  # bytes
 
 # What suits a bus of 32 bits that a processor shares: short bursts, small queues. A parameter that
-# is given replaces it; all are those of docs/datasheet.md section 6.
+# is given replaces it, and one that `hwffd core` has fixed; all are those of docs/datasheet.md section 6.
 PARAMETERS = {"MAX_BURST": 16, "READ_DEPTH": 64, "WRITE_DEPTH": 64, "READ_OUTSTANDING": 2,
               "WRITE_OUTSTANDING": 2, "BUS_TIMEOUT": 65536, "DATA_WIDTH": 64,
               "ADDRESS_WIDTH": 32, "ID_WIDTH": 1}
 
 
+def _fixed(files, top):
+    """name -> value of what a core that `hwffd core` wrote has as constants in place of parameters.
+    Raises RtlError."""
+    path = next((path for path in map(pathlib.Path, files) if path.stem == top), None)
+    if path is None:
+        raise RtlError(f"no {top}.v among the sources of the core")
+    module = path.read_text(encoding="utf-8").partition(f"\nmodule {top} ")[2].partition("\nendmodule")[0]
+    return {name: int(value) for name, value in
+            re.findall(r"^  localparam (\w+) += (\d+);", module, re.MULTILINE)}
+
+
 class Hwffd(LiteXModule):
-    """`hwffd_axi` with the buses of LiteX.
+    """`hwffd_axi` with the buses of LiteX; the top of a folder of `hwffd core` is its one file.
 
     registers: AXI4-Lite, a slave; docs/registers.md
     dma:       AXI4, a master of DATA_WIDTH bits
     ev.irq:    high while an interrupt is enabled and set
     """
 
-    def __init__(self, platform, rtl=None, top="hwffd_axi", **parameters):
+    def __init__(self, platform, rtl=None, top=None, **parameters):
         files, headers = sources(rtl)
+        top = top or (pathlib.Path(files[0]).stem if len(files) == 1 else "hwffd_axi")
         for name in files:
             platform.add_source(name)
         for name in headers:
             platform.add_verilog_include_path(name)
-        self.parameters = {**PARAMETERS, **parameters}
-        width = self.parameters["ADDRESS_WIDTH"]
+        fixed = _fixed(files, top)
+        self.parameters = {**{name: value for name, value in PARAMETERS.items() if name not in fixed},
+                           **parameters}
+        values = {**fixed, **self.parameters}
         self.registers = axi.AXILiteInterface(data_width=32, address_width=32)
-        self.dma = axi.AXIInterface(data_width=self.parameters["DATA_WIDTH"], address_width=width,
-                                    id_width=self.parameters["ID_WIDTH"])
+        self.dma = axi.AXIInterface(data_width=values["DATA_WIDTH"], id_width=values["ID_WIDTH"],
+                                    address_width=values["ADDRESS_WIDTH"])
         self.ev = SimpleNamespace(irq=Signal())
         self.sleep = Signal()
         self.specials += Instance(top, **self.ports(), **{

@@ -17,8 +17,8 @@ class RtlError(Exception):
 def sources(folder=None):
     """(files, folders of headers) of a core.
 
-    The folder is `rtl/` of the project, `share/hwffd/rtl` of an installation, or any other with the
-    Verilog of one core; without one it is that of the variable HWFFD_RTL. Raises RtlError.
+    The folder is `rtl/` of the project, `share/hwffd/rtl` of an installation, or one that `hwffd core`
+    wrote, without its testbench; without one it is that of the variable HWFFD_RTL. Raises RtlError.
     """
     folder = folder or os.environ.get(VARIABLE)
     if not folder:
@@ -26,7 +26,7 @@ def sources(folder=None):
     folder = pathlib.Path(folder).resolve()
     names = folder / LIST
     if not names.is_file():
-        files = sorted(folder.glob("*.v"))
+        files = sorted(path for path in folder.glob("*.v") if not path.stem.endswith("_tb"))
         if not files:
             raise RtlError(f"{folder}: neither {LIST} nor a file of Verilog is there")
         return [str(path) for path in files], [str(folder)]
