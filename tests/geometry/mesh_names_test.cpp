@@ -82,6 +82,33 @@ TEST_F(MeshNames, TexturesAreFoundFromAnotherFolder) {
   expect_part(read_text(folder / "out/b.ply"), "comment TextureFile ../in/skin/red.png\n");
 }
 
+/// All of several libraries, and of several textures.
+TEST_F(MeshNames, SeveralFilesAreFoundFromAnotherFolder) {
+  for (const char* name : {"in a", "out"}) std::filesystem::create_directory(folder / name);
+  folder.write("in a/a.mtl", "newmtl red\nKd 1 0 0\n");
+  folder.write("in a/b.mtl", "newmtl blue\nKd 0 0 1\n");
+  const std::string faces = std::string("usemtl red\n") + kNamedTriangle + "usemtl blue\nf 1 3 2\n";
+  const std::string text = "mtllib a.mtl none.mtl b.mtl\n" + faces;
+  const Mesh mesh = Mesh::load(folder.write("in a/a.obj", text));
+  mesh.save(folder / "in a/b.obj");
+  EXPECT_EQ(read_text(folder / "in a/b.obj"), text);
+  mesh.save(folder / "out/b.obj");
+  EXPECT_EQ(read_text(folder / "out/b.obj"),
+            "mtllib ../in a/a.mtl \nmtllib none.mtl \nmtllib ../in a/b.mtl\n" + faces);
+  const Mesh moved = Mesh::load(folder / "out/b.obj");
+  aiColor4D colour;
+  moved.scene().mMaterials[2]->Get(AI_MATKEY_COLOR_DIFFUSE, colour);
+  EXPECT_EQ(colour, aiColor4D(0, 0, 1, 1));
+
+  const auto ply = [](const std::string& from) {
+    return "ply\nformat ascii 1.0\ncomment TextureFile " + from + "a.png\ncomment TextureFile " +
+           from + "b.png\nelement vertex 1\nproperty float x\nproperty float y\n" +
+           "property float z\nend_header\n0 0 0\n";
+  };
+  Mesh::load(folder.write("in a/a.ply", ply(""))).save(folder / "out/a.ply");
+  EXPECT_EQ(read_text(folder / "out/a.ply"), ply("../in a/"));
+}
+
 /// A triangle of 300, 0, 0 and so on in this unit, as Assimp writes it but for the unit.
 std::filesystem::path dae_file(const TempFolder& folder, const std::string& unit) {
   Mesh::load(folder.write("a.obj", "v 0 0 0\nv 300 0 0\nv 0 1.7 0\nf 1 2 3\n"))

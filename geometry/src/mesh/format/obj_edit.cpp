@@ -86,7 +86,7 @@ class ObjEditor {
       const std::string_view keyword = lines.words()[0];
       if (keyword == "v") edit_vertex(lines);
       if (keyword == "vn") edit_normal(lines);
-      if (keyword == "mtllib") edit_library(lines.from(1), folder, path);
+      if (keyword == "mtllib") edit_libraries(lines, folder, path);
       if (is_obj_element(keyword)) edit_element(lines);
     }
     return text_.take();
@@ -157,12 +157,25 @@ class ObjEditor {
     return text + std::to_string(written);
   }
 
-  /// The library is found from the file's new folder, too.
-  void edit_library(std::string_view name, const fs::path& folder, const fs::path& path) {
-    std::error_code ignored;
-    if (name.empty() || !fs::is_regular_file(folder / name, ignored)) return;
-    const std::string now = relocated(std::string(name), folder, path);
-    if (now != name) text_.replace(name, now);
+  /// Libraries are found from the file's new folder, too. Of several names each gets a line of its
+  /// own, since folders on the way may have blanks.
+  void edit_libraries(const LineReader& lines, const fs::path& folder, const fs::path& path) {
+    const auto is_file = [&](std::string_view name) {
+      std::error_code ignored;
+      return !name.empty() && fs::is_regular_file(folder / name, ignored);
+    };
+    const std::vector<std::string_view>& words = lines.words();
+    std::vector<std::string_view> names{lines.from(1)};
+    if (!is_file(names[0])) names.assign(words.begin() + 1, words.end());
+    std::vector<std::string> now;
+    for (const std::string_view name : names) {
+      now.push_back(is_file(name) ? relocated(std::string(name), folder, path) : std::string(name));
+    }
+    if (std::equal(names.begin(), names.end(), now.begin(), now.end())) return;
+    const std::string ending(lines.ending().empty() ? "\n" : lines.ending());
+    for (std::size_t n = 0; n < names.size(); ++n) {
+      text_.replace(names[n], n == 0 ? now[n] : ending + "mtllib " + now[n]);
+    }
   }
 
   const std::string& bytes_;

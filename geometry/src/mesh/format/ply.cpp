@@ -166,16 +166,24 @@ class PlyDocument : public Document {
 
   Files edited(const Edit& edit, const fs::path& path) const override {
     std::string bytes = edit_ply(bytes_, header_, edit);
-    const std::string texture = relocated(header_.texture, folder_, path);
-    if (texture != header_.texture) {
-      bytes.replace(header_.texture_at, header_.texture.size(), texture);
-    }
+    if (!header_.textures.empty()) bytes = with_textures_found(bytes, path);
     Files files;
     files.emplace(path.filename().string(), std::move(bytes));
     return files;
   }
 
  private:
+  /// The file with names of textures that are found from the folder of `path`.
+  std::string with_textures_found(const std::string& bytes, const fs::path& path) const {
+    Replacement text(bytes);
+    for (const PlyHeader::Texture& texture : header_.textures) {
+      const std::string_view name = std::string_view(bytes).substr(texture.at, texture.name.size());
+      const std::string now = relocated(texture.name, folder_, path);
+      if (now != name) text.replace(name, now);
+    }
+    return text.take();
+  }
+
   fs::path folder_;
   std::string bytes_;
   PlyHeader header_;

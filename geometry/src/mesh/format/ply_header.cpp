@@ -92,13 +92,10 @@ void take(const std::string& line, std::size_t begin, PlyHeader& header, bool& h
     header.format = format_in(word(words, 1));
     has_format = true;
   }
-  if (keyword == "comment" && word(words, 1) == "TextureFile" && header.texture.empty()) {
+  if (keyword == "comment" && word(words, 1) == "TextureFile") {
     constexpr std::string_view kKeyword = "TextureFile";
     const std::size_t name = line.find_first_not_of(" \t", line.find(kKeyword) + kKeyword.size());
-    if (name != line.npos) {
-      header.texture = line.substr(name);
-      header.texture_at = begin + name;
-    }
+    if (name != line.npos) header.textures.push_back({line.substr(name), begin + name});
   }
   if (keyword == "element") {
     header.elements.push_back({word(words, 1), count_in(word(words, 2)), {}});

@@ -35,9 +35,12 @@ struct PlyHeader {
   enum class Format { kText, kLittle, kBig };
   Format format = Format::kText;
   std::vector<PlyElement> elements;
-  std::string texture;  ///< the first file that a comment names as such
-  std::size_t texture_at = 0;
-  std::size_t end = 0;  ///< where the data begin
+  struct Texture {
+    std::string name;
+    std::size_t at = 0;  ///< of the name
+  };
+  std::vector<Texture> textures;  ///< the files that comments name as such
+  std::size_t end = 0;            ///< where the data begin
 };
 
 /// @throws Error, without the file's name, for what is no such header

@@ -284,7 +284,8 @@ class PlyReader {
     }
     content_.parts.push_back({"", 0, 0, content_.face_count()});
     content_.nodes.push_back({"", 0, {0}});
-    content_.materials.push_back(material_of(header_.texture));
+    content_.materials.push_back(
+        material_of(header_.textures.empty() ? "" : header_.textures.front().name));
   }
 
   std::size_t size_;
