@@ -90,10 +90,15 @@ void warn_of_losses(const Geometry& geometry, const std::string& output,
 
 void warn_of(const DeformReport& report) {
   for (std::size_t i = 0; i < report.folds.size(); ++i) {
-    const FoldCheck& deformed = report.folds[i].deformed;
-    if (deformed.verdict != FoldCheck::Verdict::kFolded) continue;
-    warn(fmt::format("lattice '{}', deformed, is {}: the mesh may pass through itself",
-                     report.stages[i].name, deformed.text()));
+    const auto& [rest, deformed] = report.folds[i];
+    const std::string& name = report.stages[i].name;
+    if (rest.verdict != FoldCheck::Verdict::kProved) {
+      warn(fmt::format("lattice '{}', at rest, is {}: neighbours may part", name, rest.text()));
+    }
+    if (deformed.verdict != FoldCheck::Verdict::kProved) {
+      warn(fmt::format("lattice '{}', deformed, is {}: the mesh may pass through itself", name,
+                       deformed.text()));
+    }
   }
   for (std::size_t i = 0; i < report.stages.size(); ++i) {
     const std::size_t lost = report.result.summaries[i].not_converged;

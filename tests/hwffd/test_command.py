@@ -170,6 +170,8 @@ class Command(CommandTest):
         result = self.call(*inside_out, "--check-folds")
         self.assertEqual(result.returncode, 0)
         self.assertRegex(result.stderr, r"\Ahwffd: warning: lattice 'box', deformed, is folded at [^\n]+\n\Z")
+        flat = self.call("deform", "solid.obj", "--deform", "scale:1,1e-300,1", "-o", "out.obj", "--check-folds")
+        self.assertRegex(flat.stderr, r"\Ahwffd: warning: lattice 'box', deformed, is undecided at [^\n]+\n\Z")
         out = self.good("embed", "solid.obj", "--check-folds", "--json", "e.json")
         self.assertTrue(out.endswith("\nat rest proved\n"))
         self.assertEqual(self.report("e.json")["rest"]["verdict"], "proved")
