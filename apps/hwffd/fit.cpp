@@ -80,8 +80,9 @@ Pairs pairs_of(const Geometry& source, const Geometry& target) {
 int run(const FitCommand& options, const StageOptions& stage_options) {
   const std::vector<StageText> texts = stage_options.texts();
   if (texts.size() != 1) throw UsageError("--lattice: fit takes one lattice");
-  check_outputs({{"--output", options.output}, {"--json", options.report}},
-                {options.source, options.target, texts.front().lattice});
+  std::vector<std::string> inputs = files_of(texts);
+  inputs.insert(inputs.end(), {options.source, options.target});
+  check_outputs({{"--output", options.output}, {"--json", options.report}}, inputs);
   FitOptions how = options.fit;
   how.loss = parse_loss(options.loss);
 

@@ -27,7 +27,7 @@ constexpr const char* kOutput = "lattice.json";
 
 struct ViewOptions {
   std::string input;
-  std::string output;  ///< empty: kOutput, which must not be the lattice that was read
+  std::string output;  ///< empty: kOutput, which must not be a lattice that was read
   std::string outside = "keep";
   DeviceChoice device;
 };
@@ -36,7 +36,8 @@ int run(const ViewOptions& options, const StageOptions& stage_options) {
   const std::vector<StageText> texts = stage_options.texts();
   if (texts.size() != 1) throw UsageError("--lattice: view takes one lattice");
   const std::string output = options.output.empty() ? kOutput : options.output;
-  if (options.output.empty()) check_not_read({"--output", output}, {texts.front().lattice});
+  check_not_read({"--output", output}, {options.input});
+  if (options.output.empty()) check_not_read({"--output", output}, files_of(texts));
   Mesh mesh = load_model(options.input);
   Stage stage = std::move(make_stages(texts, mesh.positions()).front());
   const std::unique_ptr<Device> device = make_device(options.device);

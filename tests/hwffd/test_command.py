@@ -482,11 +482,13 @@ class Command(CommandTest):
         for suffix in ("json", "obj"):
             self.assertEqual(self.text(f"a.{suffix}"), self.text(f"b.{suffix}"))
 
-    def test_a_view_saves_over_no_lattice_that_it_read(self):
+    def test_a_view_saves_over_no_file_that_it_read(self):
         self.good("lattice", "-o", "lattice.json")
-        refused = self.call("view", "solid.obj", "--lattice", "lattice.json")
-        self.assertEqual(refused.returncode, 2)
-        self.assertIn("--output lattice.json: is read from; name another file", refused.stderr)
+        for words, name in ((("--lattice", "lattice.json"), "lattice.json"),
+                            (("--deform", "to:lattice.json"), "lattice.json"), (("-o", "solid.obj"), "solid.obj")):
+            refused = self.call("view", "solid.obj", *words)
+            self.assertEqual(refused.returncode, USAGE)
+            self.assertIn(f"--output {name}: is read from; name another file", refused.stderr)
 
     def test_a_check_is_of_the_family_that_a_file_names(self):
         self.good("lattice", "--family", "bernstein", "--dims", "4x4x4", "--region", "0,0,0,1,1,1", "-o", "cell.json")

@@ -56,6 +56,7 @@ REFUSED = {
     "check few.json --json few.json": (USAGE, "--json few.json", "is read from"),
     "lattice --around points.xyz -o points.xyz": (USAGE, "--output points.xyz", "is read from"),
     "fit points.xyz points.xyz -o points.xyz": (USAGE, "--output points.xyz", "is read from"),
+    "fit points.xyz points.xyz -o few.json --deform to:few.json": (USAGE, "--output few.json", "is read from"),
     "embed none.obj -o none/places": (FAILURE, "none/places"),
     "check none.json --json none/report": (FAILURE, "none/report"),
     "info none.obj --json none/report": (FAILURE, "none/report"),
