@@ -48,6 +48,22 @@ TEST_F(MeshLosses, WhatIsMeasured) {
   EXPECT_FALSE(has(mesh.save(folder / "b.glb"), "colours"));
 }
 
+/// An obj file has three numbers a colour.
+TEST_F(MeshLosses, AlphaOfColours) {
+  const auto triangle = [&](int alpha) {
+    return load(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+        "property uchar alpha\nelement face 1\nproperty list uchar int vertex_indices\n"
+        "end_header\n0 0 0 9 9 9 255\n1 0 0 9 9 9 255\n0 1 0 9 9 9 " +
+            std::to_string(alpha) + "\n3 0 1 2\n",
+        "a.ply");
+  };
+  EXPECT_EQ(triangle(128).save(folder / "b.obj"), Texts{"alpha of colours"});
+  EXPECT_EQ(triangle(128).save(folder / "b.glb"), Texts());
+  EXPECT_EQ(triangle(255).save(folder / "b.obj"), Texts());
+}
+
 /// Far from the origin binary32 has too few; elsewhere what it rounds is not seen.
 TEST_F(MeshLosses, DigitsOfCoordinates) {
   const Mesh far = load("v 4000000.125 0 0\nv 4000001.25 0 0\nv 4000000 1 0\nf 1 2 3\n");

@@ -22,6 +22,7 @@ enum class Feature {
   kTextureCoordinates,
   kMoreTextureCoordinates,  ///< than the first
   kColours,
+  kAlpha,  ///< of the first colours, below 1
   kMoreColours,
   kMaterials,
   kTexturesInside,
@@ -46,6 +47,7 @@ constexpr Loss kLosses[] = {
     {Feature::kMoreTextureCoordinates, "further texture coordinates",
      Feature::kMoreTextureCoordinates},
     {Feature::kColours, "colours", Feature::kColours},
+    {Feature::kAlpha, "alpha of colours", Feature::kAlpha},
     {Feature::kMoreColours, "further colours", Feature::kMoreColours},
     {Feature::kMaterials, "materials", Feature::kMaterials},
     {Feature::kTexturesInside, "textures inside the file", Feature::kTexturesInside},
@@ -61,6 +63,13 @@ bool is_flat(const aiMesh& part, const aiFace& face) {
     if (part.mNormals[face.mIndices[c]] != part.mNormals[face.mIndices[0]]) return false;
   }
   return true;
+}
+
+bool has_alpha(const aiMesh& part) {
+  constexpr float kOpaque = 254.5f / 255;  // what formats with a byte for it round to 1
+  if (!part.HasVertexColors(0)) return false;
+  return std::any_of(part.mColors[0], part.mColors[0] + part.mNumVertices,
+                     [](const aiColor4D& colour) { return colour.a < kOpaque; });
 }
 
 void find_in_part(const aiMesh& part, std::set<Feature>& features) {
@@ -82,6 +91,7 @@ void find_in_part(const aiMesh& part, std::set<Feature>& features) {
   add(Feature::kTextureCoordinates, part.HasTextureCoords(0));
   add(Feature::kMoreTextureCoordinates, part.HasTextureCoords(1));
   add(Feature::kColours, part.HasVertexColors(0));
+  add(Feature::kAlpha, has_alpha(part));
   add(Feature::kMoreColours, part.HasVertexColors(1));
 }
 
