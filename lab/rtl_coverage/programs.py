@@ -12,6 +12,9 @@ import sys
 from lab.rtl_coverage.counts import CoverageError
 from tools import job_pool
 
+# Tests of the OpenGL calls, of the command and of the devices that it takes: no programs of GoogleTest.
+CALLS = r"^(gl\.|boards\.serial_device$|hwffd\.(command|gltf|refusals|socket_device)$)"
+
 
 def listed(build):
     """Test programs of the label test, each once."""
@@ -25,12 +28,11 @@ def listed(build):
 
 
 def run_calls(build, folder):
-    """The tests of the OpenGL calls, which are no programs of their own: they add to the counts of the C++."""
-    command = ["ctest", "--test-dir", str(build), "-L", "^test$", "-R", r"^gl\.", "--no-tests=error",
-               "--output-on-failure"]
+    """The tests that call what is built: they add to the counts of the C++."""
+    command = ["ctest", "--test-dir", str(build), "-L", "^test$", "-R", CALLS, "--no-tests=error", "--output-on-failure"]
     with (folder / "calls.log").open("w", encoding="utf-8") as log:
         if subprocess.run(command, stdout=log, stderr=log, check=False).returncode:
-            raise CoverageError(f"tests of OpenGL calls fail: see {folder / 'calls.log'}")
+            raise CoverageError(f"tests that call it fail: see {folder / 'calls.log'}")
 
 
 def _key(program, build):

@@ -15,6 +15,7 @@ constexpr unsigned kDerivative = 2;             // of an axis's {derivative, ban
 constexpr unsigned kJacobian = 0b101010;        // that of each axis
 constexpr int kDerivativeAddress = 8;           // of {derivative, bank, function}
 constexpr int kBankAddress = 4;
+constexpr std::uint32_t kNoSecond = 0x9E37'79B1;  // of vertex 1, for which it counts for nothing
 
 /// All bits change from one vertex to the next; no two of 65,536 have the same.
 std::uint16_t tag_of(std::size_t index) { return static_cast<std::uint16_t>(index * 40503); }
@@ -23,7 +24,7 @@ cores::EvaluatorCore::Vertex pins_of(const EvaluatorStimulus& stimulus, std::siz
   const EvaluatorVertex& vertex = stimulus.vertices[index];
   cores::EvaluatorCore::Vertex pins;
   pins.words = vertex.local;
-  pins.second = vertex.second.value_or(0);
+  pins.second = vertex.second.value_or(kNoSecond * static_cast<std::uint32_t>(index));
   for (int axis = 0; axis < 3; ++axis) {
     pins.cell = static_cast<std::uint16_t>(pins.cell | (vertex.cell[axis] & 15) << (4 * axis));
   }

@@ -70,9 +70,15 @@ std::vector<model::ScatterEvent> AdjointModel::scatter_events() const {
   return events;
 }
 
-void AdjointRun::send_lattice(const LatticeWords& lattice) {
-  send(has(model::kPagesFeature) ? page_packet(0, lattice) : lattice_packet(lattice));
+std::vector<Beat> AdjointRun::packet_of(const LatticeWords& lattice) const {
+  return has(model::kPagesFeature) ? page_packet(0, lattice) : lattice_packet(lattice);
 }
+
+std::vector<Beat> AdjointRun::packet_of(const std::vector<VertexBeat>& vertices) const {
+  return has(model::kPagesFeature) ? page_vertices_packet(0, vertices) : vertices_packet(vertices);
+}
+
+void AdjointRun::send_lattice(const LatticeWords& lattice) { send(packet_of(lattice)); }
 
 void AdjointRun::send_grid(const Grid& grid) { send(grid_packet(grid, 0, {})); }
 

@@ -60,7 +60,9 @@ class AdjointRun : public EventRun<AdjointModel> {
   bool has(std::uint32_t feature) const { return (build_.core.features & feature) != 0; }
   const Configuration& row() const { return find_configuration(build_.row); }
 
-  /// The lattice of the page that `send_grid` evaluates.
+  /// The lattice of the page that `send_grid` evaluates, and vertices in it.
+  std::vector<Beat> packet_of(const LatticeWords& lattice) const;
+  std::vector<Beat> packet_of(const std::vector<VertexBeat>& vertices) const;
   void send_lattice(const LatticeWords& lattice);
   void send_grid(const Grid& grid);
   /// To the end: every bit of every result, and how often each event came. Places of those of

@@ -2,12 +2,16 @@
 // events, clocks.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "adjoint_run.hpp"
+#include "grid_stop.hpp"
+#include "hwffd/model/schedule.hpp"
 #include "hwffd/stream/blending.hpp"
 #include "named.hpp"
 #include "scatter_stimulus.hpp"
@@ -51,8 +55,7 @@ class AdjointPackets {
  private:
   std::vector<Beat> grid() {
     const LatticeWords lattice = random_lattice(run_.codec(), random_, 6);
-    std::vector<Beat> beats =
-        run_.has(model::kPagesFeature) ? page_packet(0, lattice) : lattice_packet(lattice);
+    std::vector<Beat> beats = run_.packet_of(lattice);
     Grid grid = small_grid(random_, lattice.dims);
     if (random_.chance(0.1)) grid.count[random_.below(3)] = 0;
     std::vector<Beat> packet = grid_packet(grid, 0, {});
@@ -314,6 +317,61 @@ TEST_P(Adjoint, APageFillsWhileAnotherIsCollected) {
   run.send(collect_packet(1));
   ASSERT_TRUE(run.run());
   EXPECT_LT(run.bench().accept_clocks()[other], run.bench().result_clocks()[points_of(dims) / 2]);
+}
+
+// A grid that is stopped has the results of its first vertices, and all behind it is as if no more
+// had been asked for; gradients of a grid are not stopped.
+TEST_P(Adjoint, AStopEndsAGridOfTheEvaluator) {
+  std::size_t stops = 0, wholes = 0;
+  for (std::uint64_t round = 0; round < share_of(40); ++round) {
+    SCOPED_TRACE(round);
+    tb::Random random(round);
+    const AdjointRun run(GetParam(), round);
+    const LatticeWords lattice = random_lattice(run.codec(), random, 5);
+    const std::vector<Grid> grids = {grid_between({0, 0, 0}, {1, 1, 1}, {5, 4, 3}),
+                                     grid_between({0, 0, 0}, {1, 1, 1}, {2, 2, 2})};
+    std::vector<Beat> sent =
+        coefficients_packet(family("bspline", run.codec()), run.codec(), Functions::kBlending);
+    append(sent, run.packet_of(lattice));
+    std::vector<Beat> wanted = sent;
+    std::vector<Beat> sums =
+        random_grid_packet(random, 0, small_grid(random, lattice.dims), gradients_to(lattice.dims));
+    append(sums, collect_packet(0));
+    // A walk takes a clock for a vertex of a row, or as many as for one of a random cell.
+    const auto most = static_cast<std::uint64_t>(expected_interval(run.row()));
+    const std::uint64_t clocks = vertex_count(grids[0]) * (random.chance(0.5) ? 1 : most);
+    const std::uint64_t at = sent.size() + random.below(100 + 2 * clocks);
+    for (const Grid& grid : grids) {
+      append(sent, grid_packet(grid, 0, {}));
+      append(sent, sums);
+    }
+    const std::unique_ptr<cores::StreamCore> core = GetParam().make(round);
+    const Stopped out = stopped_at(*core, random, sent, at);
+
+    std::size_t stopped = 0;
+    auto begin = out.results.begin();
+    const auto is_last = [](const Beat& beat) { return beat.last; };
+    for (const Grid& grid : grids) {
+      const auto end = std::find_if(begin, out.results.end(), is_last);
+      ASSERT_NE(end, out.results.end());
+      std::vector<VertexBeat> vertices = grid_vertices(grid, lattice.dims, run.codec());
+      const auto made = static_cast<std::size_t>(end + 1 - begin);
+      ASSERT_LE(made, vertices.size());
+      (made < vertices.size() ? stopped : wholes) += 1;
+      vertices.resize(made);
+      append(wanted, run.packet_of(vertices));
+      append(wanted, sums);
+      begin = std::find_if(end + 1, out.results.end(), is_last);
+      ASSERT_NE(begin, out.results.end());
+      ++begin;
+    }
+    EXPECT_EQ(out.refusals, stopped);
+    EXPECT_TRUE(out.results == AdjointModel(GetParam()).run(wanted));
+    stops += stopped;
+  }
+  EXPECT_GT(stops, 0U);
+  EXPECT_GT(wholes, 0U);
+  std::printf("%zu grids stopped, %zu not\n", stops, wholes);
 }
 
 // Results that nobody takes hold everything behind them back, and nothing is lost.

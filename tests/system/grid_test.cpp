@@ -7,6 +7,7 @@
 
 #include "bad_packets.hpp"
 #include "expand_run.hpp"
+#include "grid_stop.hpp"
 #include "hwffd/model/schedule.hpp"
 #include "hwffd/stream/halves.hpp"
 #include "named.hpp"
@@ -389,41 +390,6 @@ TEST_P(Grids, AResetEndsThem) {
   run.send_grid(grid_between({0, 0, 0}, {1, 1, 1}, {2, 2, 2}));
   ASSERT_TRUE(run.run());
   EXPECT_EQ(run.bench().results().size(), 8U);
-}
-
-/// Results of a core, and pulses of event 13, without a bench: nobody knows beforehand how many
-/// vertices a grid has made when it is stopped.
-struct Stopped {
-  std::vector<Beat> results;
-  std::size_t refusals = 0;
-};
-
-/// Sends all beats, with a pulse of grid_stop_i in a clock, and takes what comes until it is idle.
-Stopped stopped_at(cores::StreamCore& core, tb::Random& random, const std::vector<Beat>& beats,
-                   std::uint64_t at) {
-  constexpr std::uint64_t kMost = 100'000;
-  const double source = random.pick({1.0, 0.5}), sink = random.pick({1.0, 0.5});
-  Stopped out;
-  std::size_t taken = 0;
-  bool offered = false;
-  for (std::uint64_t clock = 0; clock < kMost; ++clock) {
-    core.drive_reset(clock < 3);
-    offered = clock > 3 && taken < beats.size() && (offered || random.chance(source));
-    const bool ready = random.chance(sink);
-    core.drive_input(offered, beats[std::min(taken, beats.size() - 1)]);
-    core.drive_output_ready(ready);
-    core.drive_grid_stop(clock == at);
-    core.settle();
-    if (clock > 3 && taken == beats.size() && core.idle()) break;
-    if (clock > 3) out.refusals += core.events() >> stream_event(kGridCount) & 1;
-    if (offered && core.input_ready()) {
-      ++taken;
-      offered = false;
-    }
-    if (clock > 3 && ready && core.output_valid()) out.results.push_back(core.output());
-    core.clock();
-  }
-  return out;
 }
 
 // A stopped grid has the results of its first vertices, the last of them with tlast and event 13,
