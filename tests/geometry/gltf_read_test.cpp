@@ -21,7 +21,7 @@ class GltfRead : public MeshFiles {
   }
   std::string error(const std::string& text, const std::string& name = "a.gltf") const {
     const std::filesystem::path path = folder.write(name, text);
-    const std::string message = message_of<Error>([&] { Mesh::load(path); });
+    std::string message = message_of<Error>([&] { Mesh::load(path); });
     expect_part(message, path.string() + ": ");
     return message;
   }

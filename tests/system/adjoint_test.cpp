@@ -30,7 +30,9 @@ class Adjoint : public ::testing::TestWithParam<AdjointBuild> {
 };
 
 std::size_t points_of(const std::array<int, 3>& dims) {
-  return static_cast<std::size_t>(dims[0] * dims[1] * dims[2]);
+  std::size_t points = 1;
+  for (const int count : dims) points *= static_cast<std::size_t>(count);
+  return points;
 }
 
 /// Packets of both halves, some of them bad, one kind in a row or several.
