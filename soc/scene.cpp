@@ -33,8 +33,9 @@ using namespace hwffd;
 
 constexpr std::uint32_t kMagic = 0x4E454353;  // "SCEN"
 constexpr std::size_t kHeaderWords = 16;
-constexpr int kFraction = 28;    // bits of a position in cells
-constexpr int kMostPoints = 16;  // an axis, so that a cell has four bits
+constexpr int kFraction = 28;         // bits of a position in cells
+constexpr int kMostPoints = 16;       // an axis, so that a cell has four bits
+constexpr long kFewestVertices = 16;  // soc/firmware/resets.c: of a run after a reset
 
 struct Options {
   std::string row;
@@ -108,6 +109,11 @@ std::vector<std::uint32_t> scene_of(const Options& options) {
   std::vector<VertexBeat> vertices;
   const long all = mesh.positions().rows();
   const long count = options.vertices == 0 ? all : std::min(options.vertices, all);
+  if (count < kFewestVertices) {
+    throw Error(
+        fmt::format("{}: {} vertices of a scene; give {} or more, as a run after a reset has",
+                    mesh.name(), count, kFewestVertices));
+  }
   for (const Embedded& embedded : box.embed(dims, Points(mesh.positions().topRows(count)))) {
     positions.push_back(position_of(embedded, dims));
     vertices.push_back(vertex_of(positions.back(), dims, vertices.size()));
