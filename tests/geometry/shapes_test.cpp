@@ -85,6 +85,26 @@ TEST(Around, EveryShapeIsRegisteredWhole) {
   EXPECT_EQ(shape_list(" or ").find(", " + last), std::string::npos);
 }
 
+/// By the shortest way: about an axis that stands on both directions.
+TEST(Around, FrameWithAxisTurnsYThere) {
+  for (const Point& direction : {Point(0, 1, 0), Point(3, 0, 0), Point(0, 0, -0.25), Point(1, 2, 3),
+                                 Point(1, -5, 0.5), Point(1e-7, -1, 0), Point(0, -2, 1e-160),
+                                 Point(0, -2, 0), Point(0, 1e-200, 0), Point(1e300, 1e300, 0)}) {
+    const Point unit = direction / direction.stableNorm();
+    const Eigen::Matrix3d frame = frame_with_axis(direction);
+    EXPECT_LT((frame.col(1) - unit).norm(), 1e-14) << unit;
+    EXPECT_LT((frame * frame.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-14) << unit;
+    EXPECT_GT(frame.determinant(), 0.9) << unit;
+    EXPECT_NEAR(frame.trace(), 1 + 2 * unit[1], 1e-14) << unit;  // of a turn by their angle
+  }
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const Point& direction : {Point(0, 0, 0), Point(0, nan, 0), Point(inf, 1, 0)}) {
+    EXPECT_USAGE_ERROR(frame_with_axis(direction),
+                       "axis: no direction; give three finite numbers, not all of them 0");
+  }
+}
+
 TEST(Around, LeavesNoMoreRoomThanIsSaid) {
   for (const double at : {0.0, 100.0}) {
     const Points points = cloud(1, Point::Constant(at), Point(2, 3, 1));

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
+#include <limits>
 
 #include "hwffd/error.hpp"
 #include "hwffd/excerpt.hpp"
@@ -37,12 +38,17 @@ Eigen::Matrix3d frame_with_axis(const Eigen::Vector3d& direction) {
     throw UsageError("axis: no direction; give three finite numbers, not all of them 0");
   }
   const Eigen::Vector3d up = direction / length;
-  if (up[1] <= -1.0) return Eigen::Vector3d(1, -1, -1).asDiagonal();
   // Rodrigues' formula about y x up, whose length is the sine: exact for x, y and z.
   const Eigen::Vector3d about = Eigen::Vector3d::UnitY().cross(up);
+  const double squared = about.squaredNorm();
+  if (up[1] < 0.0 && squared < std::numeric_limits<double>::min()) {
+    return Eigen::Vector3d(1, -1, -1).asDiagonal();
+  }
+  // 1 + cosine, which cancels where it points down.
+  const double sum = up[1] < 0.0 ? squared / (1.0 - up[1]) : 1.0 + up[1];
   Eigen::Matrix3d cross;
   cross << 0, -about[2], about[1], about[2], 0, -about[0], -about[1], about[0], 0;
-  return Eigen::Matrix3d::Identity() + cross + cross * cross / (1.0 + up[1]);
+  return Eigen::Matrix3d::Identity() + cross + cross * cross / sum;
 }
 
 Points corners_of(const Point& low, const Point& high) {
