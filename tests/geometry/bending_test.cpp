@@ -67,5 +67,29 @@ TEST(Inverse, ComesBackInsideAndOutside) {
   }
 }
 
+/// What stays outside comes from where it is, but where the cells at rest have moved away nothing
+/// is left.
+TEST(Inverse, PointsThatStay) {
+  const Lattice rest = Box(Point::Zero(), Eigen::Matrix3d::Identity()).lattice({5, 5, 5});
+  const Eigen::RowVector3d away(10, 0, 0);
+  const Lattice deformed(rest.dims(), rest.points().rowwise() + away);
+  const Embedder embedder(rest);
+  const Outside keep = Outside::parse("keep");
+  Points points(3, 3);
+  points << 10.5, 0.25, 0.75, 3, -2, 0.5, 0.5, 0.5, 0.5;
+  const Points back = inverse_of(embedder, deformed, keep, points);
+  EXPECT_LT((back.row(0) - (points.row(0) - away)).norm(), 1e-12);
+  EXPECT_EQ(Point(back.row(1)), Point(points.row(1)));
+  EXPECT_TRUE(back.row(2).array().isNaN().all());
+  for (const char* how : {"keep", "clamp", "fade:2"}) {
+    const Outside outside = Outside::parse(how);
+    EXPECT_LT((inverse_of(embedder, deformed, outside, points.topRows(1)) - back.topRows(1)).norm(),
+              1e-15)
+        << how;
+    EXPECT_EQ(inverse_of(embedder, deformed, outside, Points(0, 3)).rows(), 0) << how;
+  }
+  EXPECT_EQ(inverse_of(embedder, deformed, keep, points.middleRows(1, 1)), points.middleRows(1, 1));
+}
+
 }  // namespace
 }  // namespace hwffd

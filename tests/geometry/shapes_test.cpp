@@ -105,6 +105,83 @@ TEST(Around, FrameWithAxisTurnsYThere) {
   }
 }
 
+TEST(Around, CornersOfARegion) {
+  const Point low(4, -1, 0);
+  const Point high(1, 2, 8);  // either may be the lower one
+  Points expected(8, 3);
+  expected << 4, -1, 0, 1, -1, 0, 4, 2, 0, 1, 2, 0, 4, -1, 8, 1, -1, 8, 4, 2, 8, 1, 2, 8;
+  EXPECT_EQ(corners_of(low, high), expected);
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const Point& other : {Point(1, -1, 8), Point(4, 2, 8), Point(1, 2, 0), Point(1, 2, inf)}) {
+    for (const auto& [a, b] : {std::pair(low, other), std::pair(other, low)}) {
+      EXPECT_USAGE_ERROR(
+          corners_of(a, b),
+          "region: spans no volume; give two corners, finite and different along x, y and z");
+    }
+  }
+}
+
+/// A turned lattice is the upright one around the points turned back; one that is sheared, too.
+TEST(Around, TurnedLatticeHoldsItsPoints) {
+  Fit turned;
+  turned.frame = frame_with_axis(Point(1, 2, 3));
+  Fit sheared;
+  sheared.frame << 1, 0.5, 0, 0, 2, 0, -0.25, 0, -1;
+  for (const Fit& fit : {turned, sheared}) {
+    Fit upright;
+    upright.room = 2 * fit.room;
+    for (const Shape& shape : shapes()) {
+      const Points points = cloud(7, Point(1, -2, 3), Point(4, 1, 2));
+      const Lattice lattice = lattice_around(shape.name, points, shape.several, fit);
+      EXPECT_EQ(outside(lattice, points), 0u) << shape.name;
+      const Points back = points * fit.frame.inverse().transpose();
+      const Points expected =
+          lattice_around(shape.name, back, shape.several, upright).points() * fit.frame.transpose();
+      EXPECT_LT((lattice.points() - expected).cwiseAbs().maxCoeff(), 1e-5) << shape.name;
+      EXPECT_EQ(lattice.dims(), shape.several) << shape.name;
+    }
+  }
+}
+
+/// Along the directions of the frame, in their units.
+TEST(Around, PaddingIsLeftFree) {
+  Points points(2, 3);
+  points << 0, 0, 0, 1, 2, 4;
+  Fit fit;
+  fit.room = 0;
+  fit.padding = Point(0.5, 0.25, 0.125);
+  const Lattice upright = lattice_around("box", points, {4, 4, 4}, fit);
+  EXPECT_EQ(upright.point(1, 1, 1), Point(-0.5, -0.25, -0.125));
+  EXPECT_EQ(upright.point(2, 2, 2), Point(1.5, 2.25, 4.125));
+  fit.frame << 0, 0, 1, 0, 1, 0, -1, 0, 0;  // x to -z, z to x
+  const Lattice turned = lattice_around("box", points, {4, 4, 4}, fit);
+  EXPECT_LT((turned.point(1, 1, 1) - Point(-0.125, -0.25, 4.5)).norm(), 1e-15);
+  EXPECT_LT((turned.point(2, 2, 2) - Point(1.125, 2.25, -0.5)).norm(), 1e-15);
+}
+
+TEST(Around, RefusesWhatIsNoFit) {
+  const Points points = cloud(1, kOnes, kOnes);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const Point& padding : {Point(0, -0.5, 0), Point(nan, 0, 0), Point(0, 0, inf)}) {
+    Fit fit;
+    fit.padding = padding;
+    EXPECT_USAGE_ERROR(lattice_around("box", points, {4, 4, 4}, fit),
+                       "padding: a finite number of at least 0, or one for x, y and z");
+  }
+  Eigen::Matrix3d flat = Eigen::Matrix3d::Identity();
+  flat.col(2) = flat.col(0) + flat.col(1);
+  Eigen::Matrix3d unknown = Eigen::Matrix3d::Identity();
+  unknown(1, 2) = nan;
+  for (const Eigen::Matrix3d& frame : {flat, unknown, Eigen::Matrix3d(Eigen::Matrix3d::Zero())}) {
+    Fit fit;
+    fit.frame = frame;
+    EXPECT_USAGE_ERROR(lattice_around("sphere", points, {4, 5, 6}, fit),
+                       "rotation: spans no volume; give 3 x 3 finite numbers, columns in three "
+                       "directions");
+  }
+}
+
 TEST(Around, LeavesNoMoreRoomThanIsSaid) {
   for (const double at : {0.0, 100.0}) {
     const Points points = cloud(1, Point::Constant(at), Point(2, 3, 1));
