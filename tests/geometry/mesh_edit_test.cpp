@@ -1,10 +1,14 @@
 // A mesh that comes back in its own format is its file, edited.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -130,6 +134,52 @@ TEST_F(MeshEdit, PlyBinary) {
   }
 }
 
+/// A coordinate of each type, in text and in either order of bytes, becomes twice as large; what
+/// its type does not hold is refused.
+TEST_F(MeshEdit, PlyCoordinatesOfEveryType) {
+  int checked = 0;
+  const auto check = [&](const std::string& type, auto value, double too_large) {
+    for (const std::string format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
+      SCOPED_TRACE(type + " " + format);
+      const auto file = [&](auto number) {
+        std::string bytes = "ply\nformat " + format + " 1.0\nelement vertex 1\nproperty " + type +
+                            " x\nproperty uchar y\nproperty char z\nend_header\n";
+        if (format == "ascii") return bytes + std::to_string(number) + " 0 0\n";
+        std::string data(sizeof(number), '\0');
+        std::memcpy(data.data(), &number, sizeof(number));
+        if (format == "binary_big_endian") std::reverse(data.begin(), data.end());
+        return bytes + data + std::string(2, '\0');
+      };
+      using T = decltype(value);
+      Mesh mesh = load(file(value), "in.ply");
+      EXPECT_EQ(mesh.positions()(0, 0), static_cast<double>(value));
+      mesh.set_positions(2 * mesh.positions());
+      mesh.save(folder / "out.ply");
+      if (format == "ascii") {
+        EXPECT_EQ(Mesh::load(folder / "out.ply").positions(), mesh.positions());
+      } else {
+        EXPECT_EQ(read_text(folder / "out.ply"), file(static_cast<T>(2 * value)));
+      }
+      ++checked;
+      if (too_large == 0) continue;
+      for (const double bad : {too_large, value + 0.5, -too_large - 1}) {
+        mesh.set_positions(Eigen::RowVector3d(bad, 0, 0));
+        EXPECT_ERROR_PART(mesh.save(folder / "bad.ply"),
+                          "which its type, " + type + ", does not hold; write another format");
+      }
+    }
+  };
+  check("char", std::int8_t{-64}, 0x1p7);
+  check("uchar", std::uint8_t{100}, 0x1p8);
+  check("short", std::int16_t{-16384}, 0x1p15);
+  check("ushort", std::uint16_t{32767}, 0x1p16);
+  check("int", std::int32_t{-70000}, 0x1p31);
+  check("uint", std::uint32_t{2000000000}, 0x1p32);
+  check("float", 1.5f, 0);
+  check("double", 0.1, 0);
+  EXPECT_EQ(checked, 24);
+}
+
 TEST_F(MeshEdit, StripsOfPly) {
   const auto file = [](const std::string& x, const std::string& strip) {
     return "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
@@ -172,7 +222,71 @@ TEST_F(MeshEdit, StlText) {
               end,
           "solid  A b\n FACET normal 0.0 0 1\n outer loop\nvertex -0.5 0 0 vertex 0 0 0\n"
           "vertex 0 1 0\n" +
-              end}});
+              end},
+         // Two solids, numbers of more digits than binary32 has, and a facet without a normal.
+         {"stl",
+          "solid\nfacet normal 0 0 0\nouter loop\nvertex 0.3333333333333 0 0\nvertex 0 1 0\n"
+          "vertex 0 0 0\n" +
+              end + "solid b\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n" +
+              "vertex 0 1 0\n" + end,
+          "solid\nfacet normal 0 0 0\nouter loop\nvertex 0.6666666666666 0 0\nvertex 0 2 0\n"
+          "vertex 0 0 0\n" +
+              end + "solid b\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\n" +
+              "vertex 0 2 0\n" + end,
+          "solid\nfacet normal 0 0 0\nouter loop\nvertex -0.3333333333333 0 0\nvertex 0 0 0\n"
+          "vertex 0 1 0\n" +
+              end + "solid b\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 0 1 0\n" +
+              "vertex -1 0 0\n" + end}});
+}
+
+/// The normal of a facet that moved is that of its corners, on the side where it was, in text and
+/// in bytes; one that is none stays, and so does that of a facet that has shrunk to a line.
+TEST_F(MeshEdit, NormalsOfStl) {
+  Eigen::Matrix3d turn;  // x to y, y to z, z to x
+  turn << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  const Eigen::Matrix3d line = Eigen::Vector3d(2, 0, 0).asDiagonal();
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  using Normal = std::array<float, 3>;
+  struct Case {
+    Normal read;
+    Eigen::Matrix3d by;
+    Normal written;
+  };
+  const std::vector<Case> cases{{{0, 0, 1}, turn, {1, 0, 0}},
+                                {{0, 0, -1}, turn, {-1, 0, -0.0f}},
+                                {{0, 0, 0}, turn, {0, 0, 0}},
+                                {{0, nan, 1}, turn, {0, nan, 1}},
+                                {{0, 0, 1}, line, {0, 0, 1}}};
+  for (const Case& one : cases) {
+    const auto numbers_of = [](const Normal& normal, const Eigen::Matrix3d& by) {
+      std::vector<float> numbers(normal.begin(), normal.end());
+      for (const Eigen::Vector3d& corner :
+           {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0)}) {
+        const Eigen::Vector3f to = (by * corner).cast<float>();
+        numbers.insert(numbers.end(), to.data(), to.data() + 3);
+      }
+      return numbers;
+    };
+    const auto text = [](const std::vector<float>& numbers) {
+      std::string words = "solid\n";
+      for (std::size_t n = 0; n < numbers.size(); ++n) {
+        words += n == 0       ? "facet normal"
+                 : n == 3     ? "\nouter loop\nvertex"
+                 : n % 3 == 0 ? "\nvertex"
+                              : "";
+        words += fmt::format(" {}", numbers[n]);
+      }
+      return words + "\nendloop\nendfacet\nendsolid\n";
+    };
+    const auto bytes = [](const std::vector<float>& numbers) {
+      return std::string(80, ' ') + std::string("\1\0\0\0", 4) +
+             std::string(reinterpret_cast<const char*>(numbers.data()), 48) + std::string(2, '\0');
+    };
+    const std::vector<float> before = numbers_of(one.read, Eigen::Matrix3d::Identity());
+    const std::vector<float> after = numbers_of(one.written, one.by);
+    EXPECT_EQ(moved({"stl", text(before), "", ""}, one.by), text(after));
+    EXPECT_EQ(moved({"stl", bytes(before), "", ""}, one.by), bytes(after)) << text(after);
+  }
 }
 
 /// Header, attributes and what follows the facets stay.

@@ -84,6 +84,11 @@ TEST_F(MeshErrors, FaceWithoutItsVertex) {
   EXPECT_EQ(load(ply_text(kVertices, kList, corners + "3 0 1 2\n"), "a.ply").vertex_count(), 3u);
   expect_part(load_error(folder.write("a.ply", ply_text(kVertices, kList, corners + "3 0 1 7\n"))),
               "a.ply: face 0 refers to vertex 7 of 3; repair the mesh");
+  for (const std::string vertex : {"-1", "1.5", "5000000000"}) {
+    expect_part(load_error(folder.write(
+                    "a.ply", ply_text(kVertices, kList, corners + "3 0 1 " + vertex + "\n"))),
+                "a.ply: face 0 refers to vertex ");
+  }
 }
 
 /// Headers and data that do not belong together: some of them crash Assimp's reader.
@@ -111,6 +116,17 @@ TEST_F(MeshErrors, BrokenPly) {
        "unknown type 'word' in the header"},
       {"ply\nformat ascii 1.0\nelement vertex 3\n", "no end_header"},
       {"ply\nformat rot13 1.0\nend_header\n", "unknown format 'rot13'"},
+      {"ply\nformat\nend_header\n", "unknown format ''"},
+      {"ply\nelement vertex 0\nend_header\n", "unknown format ''"},
+      {"ply", "no end_header"},
+      {"plywood\n", "it does not begin with 'ply'"},
+      {"ply 2\nformat ascii 1.0\nend_header\n", "it does not begin with 'ply'"},
+      {ply_text("element vertex\n", kList, data), "'' is not a number of rows or corners"},
+      {ply_text(kVertices, "property\n", data), "unknown type '' in the header"},
+      {ply_text(kVertices, "property list\n", data), "unknown type '' in the header"},
+      {"ply\nformat binary_big_endian 1.0\nelement face 1\nproperty list char uchar a\n"
+       "end_header\n\xff",
+       "a list of -1 values"},
       {binary + std::string("\2\0\0\0aaaabbb", 11), "the file ends before its data"},
       {binary + std::string("\2\0\0\x7f"
                             "aaaabbbb",
@@ -120,7 +136,77 @@ TEST_F(MeshErrors, BrokenPly) {
     expect_part(load_error(folder.write("a.ply", bad.text)),
                 ": not a mesh that can be read (" + std::string(bad.reason) + "); " + kAccepted);
   }
-  EXPECT_EQ(all.size(), 13u);
+  EXPECT_EQ(all.size(), 22u);
+}
+
+TEST_F(MeshErrors, BrokenOff) {
+  for (const auto& [text, reason] : std::vector<std::pair<std::string, std::string>>{
+           {"", "the file ends before its data"},
+           {"OFF BINARY\n3 1 0\n", "binary OFF"},
+           {"4OFF\n1 0 0\n0 0 0 1\n", "OFF with vertices that are not x y z"},
+           {"OFF\nthree 1 0\n", "'three' is not a number of vertices or faces"},
+           {"OFF\n3 1 0\n0 0 0\n1 0 0\n", "the file ends before its data"},
+           {"OFF\n1 1 0\n0 0 0\n4000000000 0\n", "the file ends in a face"},
+           {"OFF\n1 1 0\n0 0 zero\n1 0\n", "'zero' is not a number"}}) {
+    SCOPED_TRACE(text);
+    expect_part(load_error(folder.write("a.off", text)),
+                ": not a mesh that can be read (" + reason + "); " + kAccepted);
+  }
+}
+
+/// Text that is no facet, and binary files shorter than they say.
+TEST_F(MeshErrors, BrokenStl) {
+  const std::string begin = "solid a\nfacet normal 0 0 1\nouter loop\n";
+  const std::string corners = "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n";
+  const std::string header(80, ' ');
+  struct Bad {
+    std::string bytes;
+    const char* reason;
+  };
+  const std::vector<Bad> all{
+      {"", "neither text nor long enough for its header"},
+      {"soli", "neither text nor long enough for its header"},
+      {"solid a\nvertex 0 0 0\n", "neither text nor long enough for its header"},
+      {std::string("solid\0\1\2", 8), "neither text nor long enough for its header"},
+      {header + std::string("\2\0\0\0", 4) + std::string(50, '\0'),
+       "the file ends before its data"},
+      {"solid a\nfacet tangent 0 0 1\n", "'tangent' where 'normal' should stand"},
+      {begin + "corner 0 0 0\n", "'corner' where 'vertex' should stand"},
+      {begin + corners + "vertex 1 1 0\nendloop\n", "'vertex' where 'endloop' should stand"},
+      {begin + corners + "endloop\nendfacet\nvertex 1 1 0\n",
+       "'vertex' where a facet should begin"},
+      {begin + "vertex 0 0", "the file ends in a facet"},
+      {begin + corners + "endloop\n", "the file ends in a facet"},
+      {begin + "vertex 0 zero 0\n" + corners + "endloop\nendfacet\n",
+       "'vertex' where 'endloop' should stand"},
+      {begin + "vertex 0 zero 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n",
+       "'zero' is not a number"}};
+  for (const Bad& bad : all) {
+    SCOPED_TRACE(bad.bytes);
+    expect_part(load_error(folder.write("a.stl", bad.bytes)),
+                ": not a mesh that can be read (" + std::string(bad.reason) + "); " + kAccepted);
+  }
+  // Solids without facets: of text, in a line of its own or not, and of a whole binary file.
+  for (const std::string& bytes : {std::string("solid a\n"), std::string("solid a endsolid a\n"),
+                                   "solid" + std::string(75, ' ') + std::string(4, '\0')}) {
+    expect_part(load_error(folder.write("a.stl", bytes)), "holds no vertices; " + kAccepted);
+  }
+}
+
+/// Texture coordinates are numbers, and faces have corners.
+TEST_F(MeshErrors, ElementsOfAnObjFile) {
+  const std::string no_texture = "texture coordinates are no numbers";
+  for (const auto& [line, reason] : std::vector<std::pair<std::string, std::string>>{
+           {"vt", no_texture},
+           {"vt x 0", no_texture},
+           {"vt 0 0 .", no_texture},
+           {"v 1 2 3 255 x 0", "a vertex is not three numbers"},
+           {"f", "a face without corners"},
+           {"l", "a face without corners"},
+           {"f -9 1 1", "a face refers to number -9 of 1"}}) {
+    SCOPED_TRACE(line);
+    EXPECT_ERROR_PART(load("v 0 0 0\n" + line + "\n"), "line 2: " + reason);
+  }
 }
 
 TEST_F(MeshErrors, UnreadableFile) {
@@ -180,7 +266,8 @@ TEST_F(MeshErrors, VerticesOfAnObjFile) {
 }
 
 TEST_F(MeshErrors, NumbersOfAnObjFileThatAreTooLarge) {
-  for (const std::string number : {"1e39", "-1e39", "1e400", "1e+999"}) {
+  for (const std::string& number : {std::string("1e39"), std::string("-1e39"), std::string("1e400"),
+                                    std::string("1e+999"), std::string(400, '9')}) {
     SCOPED_TRACE(number);
     EXPECT_ERROR_PART(load("v 0 0 0\nv 1 0 " + number + "\n"), "is not a finite binary32 number");
   }
