@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <sstream>
 
@@ -249,23 +250,223 @@ TEST_F(GltfEdit, OtherUsesStay) {
   EXPECT_EQ(all.size(), 6u);
 }
 
+/// Of zeros, too, where nothing but the elements that replace them is stored.
 TEST_F(GltfEdit, SparsePositionsBecomeDense) {
+  for (const bool has_base : {true, false}) {
+    GltfModel model = square();
+    const std::size_t indices = model.add<std::uint8_t>({1}, "SCALAR");
+    const std::size_t values = model.add<float>({5, 6, 7}, "VEC3");
+    Json& sparse = model.json["accessors"][0];
+    sparse["sparse"] = {{"count", 1},
+                        {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
+                        {"values", {{"bufferView", values}}}};
+    if (!has_base) {
+      sparse.erase("bufferView");
+      sparse.erase("max");
+    }
+    EXPECT_EQ(shifted(model, {0, 0, 0}), model.container());
+    const std::string after = shifted(model, {0, 0, 1});
+    const Json json = json_in(after);
+    EXPECT_EQ(json["accessors"][0], json_in(model.container())["accessors"][0]);
+    const std::size_t position = json["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
+    EXPECT_EQ(position, json["accessors"].size() - 1);
+    EXPECT_FALSE(json["accessors"][position].contains("sparse"));
+    const std::vector<float> expected =
+        has_base ? std::vector<float>{0, 0, 1, 5, 6, 8, 1, 1, 1, 0, 1, 1.5f}
+                 : std::vector<float>{0, 0, 1, 5, 6, 8, 0, 0, 1, 0, 0, 1};
+    EXPECT_EQ(stored<float>(json, buffer_in(after), position), expected);
+    EXPECT_EQ(json["accessors"][position]["min"], (Json{0.0, 0.0, 1.0}));
+    if (!has_base) {
+      EXPECT_EQ(json["accessors"][position]["max"], (Json{5.0, 6.0, 8.0}));
+    }
+  }
+}
+
+/// Positions and normals in turn in one view: positions change in place, unless an accessor has
+/// some of their bytes, too. Its offset is from the first position.
+TEST_F(GltfEdit, InterleavedPositions) {
+  struct Other {
+    std::size_t view;  ///< 0: that of both, 1: one of all bytes
+    Json accessor;
+    bool is_in_place;
+  };
+  const std::vector<Other> others{
+      {0, {{"byteOffset", 0}, {"componentType", 5126}, {"count", 0}, {"type", "SCALAR"}}, true},
+      {0, {{"byteOffset", 8}, {"componentType", 5126}, {"count", 4}, {"type", "SCALAR"}}, false},
+      {0, {{"byteOffset", 16}, {"componentType", 5126}, {"count", 3}, {"type", "VEC3"}}, false},
+      {1, {{"componentType", 5121}, {"count", 156}, {"type", "SCALAR"}}, false}};
+  for (const bool is_first : {true, false}) {
+    for (const Other& other : others) {
+      SCOPED_TRACE(other.accessor.dump());
+      GltfModel model = square();
+      const std::vector<float> one{9, 0, 0, 8, 0, 0, 8, 7, 0, 6, 7, 0};
+      std::vector<float> both;
+      for (std::size_t v = 0; v < 4; ++v) {
+        if (!is_first) both.insert(both.end(), {0, 0, 1});
+        both.insert(both.end(), &one[3 * v], &one[3 * v] + 3);
+        if (is_first) both.insert(both.end(), {0, 0, 1});
+      }
+      const std::size_t number = model.add(both, "VEC3");
+      Json& accessors = model.json["accessors"];
+      Json& views = model.json["bufferViews"];
+      views[number]["byteStride"] = 24;
+      views.push_back({{"buffer", 0}, {"byteLength", model.bytes.size()}});
+      accessors[number]["count"] = 4;
+      accessors.push_back(accessors[number]);
+      accessors.back()["byteOffset"] = 12;
+      accessors.push_back(other.accessor);
+      accessors.back()["bufferView"] = number + other.view;
+      if (other.view == 0 && !is_first) {
+        accessors.back()["byteOffset"] = other.accessor["byteOffset"].get<std::size_t>() + 12;
+      }
+      const std::size_t position = number + (is_first ? 0 : 1);
+      const std::size_t normal = number + (is_first ? 1 : 0);
+      model.primitive()["attributes"] = {{"POSITION", position}, {"NORMAL", normal}};
+      const std::string after = shifted(model, {0, 0, 1});
+      const Json json = json_in(after);
+      const std::string buffer = buffer_in(after);
+      EXPECT_EQ(buffer.size(), model.bytes.size() + (other.is_in_place ? 0 : 48));
+      const std::size_t now = json["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
+      EXPECT_EQ(stored<float>(json, buffer, now),
+                (std::vector<float>{9, 0, 1, 8, 0, 1, 8, 7, 1, 6, 7, 1}));
+      EXPECT_EQ(stored<float>(json, buffer, normal),
+                (std::vector<float>{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}));
+      if (!other.is_in_place) {
+        EXPECT_EQ(buffer.substr(0, model.bytes.size()), model.bytes);
+      }
+    }
+  }
+}
+
+/// The first of two instances moves, in place; the second gets what was there before.
+TEST_F(GltfEdit, OneInstanceMoves) {
   GltfModel model = square();
-  const std::size_t indices = model.add<std::uint8_t>({1}, "SCALAR");
-  const std::size_t values = model.add<float>({5, 6, 7}, "VEC3");
-  model.json["accessors"][0]["sparse"] = {
-      {"count", 1},
-      {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
-      {"values", {{"bufferView", values}}}};
-  EXPECT_EQ(shifted(model, {0, 0, 0}), model.container());
-  const std::string after = shifted(model, {0, 0, 1});
+  model.json["nodes"] =
+      Json::parse(R"([{"mesh": 0, "children": [1]}, {"mesh": 0, "translation": [10, 0, 0]}])");
+  Mesh mesh = load(model.container(), "a.glb");
+  Points moved = mesh.positions();
+  moved.topRows(4).col(1).array() += 0.25;
+  mesh.set_positions(moved, identities(mesh));
+  mesh.save(folder / "b.glb");
+  EXPECT_EQ(Mesh::load(folder / "b.glb").positions(), moved);
+  const std::string after = read_text(folder / "b.glb");
   const Json json = json_in(after);
-  EXPECT_EQ(json["accessors"][0], json_in(model.container())["accessors"][0]);
-  const std::size_t position = json["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
-  EXPECT_EQ(position, json["accessors"].size() - 1);
-  EXPECT_FALSE(json["accessors"][position].contains("sparse"));
-  EXPECT_EQ(stored<float>(json, buffer_in(after), position),
-            (std::vector<float>{0, 0, 1, 5, 6, 8, 1, 1, 1, 0, 1, 1.5f}));
+  EXPECT_EQ(json["nodes"][1]["mesh"], 1);
+  EXPECT_EQ(buffer_in(after).substr(60), model.bytes.substr(0, 48));
+  EXPECT_EQ(json["accessors"][2]["max"], (Json{1.0, 1.0, 0.5}));
+  EXPECT_EQ(json["accessors"][0]["max"], (Json{1, 1.25, 0.5}));
+}
+
+/// Positions that are all 0 need not be stored; once they move they are, where there is a buffer.
+TEST_F(GltfEdit, PositionsThatAreNotStored) {
+  GltfModel model = square();
+  model.json["accessors"] = {{{"componentType", 5126}, {"count", 3}, {"type", "VEC3"}}};
+  model.json.erase("bufferViews");
+  model.primitive().erase("indices");
+  const std::string text = model.text();
+  Mesh mesh = load(text, "a.gltf");
+  EXPECT_EQ(mesh.positions(), Points::Zero(1, 3));
+  mesh.save(folder / "b.gltf");
+  EXPECT_EQ(read_text(folder / "b.gltf"), text);
+  mesh.set_positions(Eigen::RowVector3d(1, 2, 3), identities(mesh));
+  mesh.save(folder / "b.gltf");
+  const Mesh again = Mesh::load(folder / "b.gltf");
+  EXPECT_EQ(again.positions(), mesh.positions());
+  EXPECT_EQ(again.vertex_count_read(), 3u);
+  const Json json = Json::parse(read_text(folder / "b.gltf"));
+  EXPECT_EQ(json["bufferViews"].size(), 1u);
+  EXPECT_EQ(json["buffers"][0]["byteLength"], model.bytes.size() + 36);
+
+  mesh = load(model.json.dump(), "a.gltf");  // without its buffer
+  mesh.set_positions(Eigen::RowVector3d(1, 2, 3), identities(mesh));
+  EXPECT_ERROR_PART(mesh.save(folder / "c.gltf"),
+                    "it has no buffer for what has moved; give its positions a buffer");
+}
+
+/// Elements of an attribute begin at multiples of four bytes.
+TEST_F(GltfEdit, NewQuantizedPositions) {
+  GltfModel model = square();
+  model.json["extensionsRequired"] = {"KHR_mesh_quantization"};
+  const std::size_t position =
+      model.add<std::int8_t>({0, 0, 0, 100, 0, 0, 100, 100, 0, 0, 100, 50}, "VEC3", 4);
+  model.primitive()["attributes"]["POSITION"] = position;
+  model.primitive()["targets"] = {{{"POSITION", position}}};  // which stays
+  const std::string after = shifted(model, {1, 2, 3});
+  const Json json = json_in(after);
+  const std::size_t now = json["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
+  EXPECT_EQ(stored<std::int8_t>(json, buffer_in(after), now),
+            (std::vector<std::int8_t>{1, 2, 3, 101, 2, 3, 101, 102, 3, 1, 102, 53}));
+  EXPECT_EQ(json["bufferViews"].back()["byteStride"], 4);
+  EXPECT_EQ(json["meshes"][0]["primitives"][0]["targets"][0]["POSITION"], position);
+  EXPECT_EQ(buffer_in(after).substr(0, model.bytes.size()), model.bytes);
+}
+
+/// What moves by less than its numbers can tell has not changed.
+TEST_F(GltfEdit, ChangesThatAreRoundedAway) {
+  GltfModel model = square();
+  model.json["extensionsRequired"] = {"KHR_mesh_quantization"};
+  Json& attributes = model.primitive()["attributes"];
+  attributes["POSITION"] =
+      model.add<std::int8_t>({0, 0, 0, 100, 0, 0, 100, 100, 0, 0, 100, 50}, "VEC3", 4);
+  attributes["NORMAL"] =
+      model.add<std::int8_t>({0, 0, 127, 0, 0, 127, 0, 0, 127, 0, 0, 127}, "VEC3", 4, true);
+  Mesh mesh = load(model.container(), "a.glb");
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(1e-3, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  mesh.set_positions(mesh.positions() * turn.transpose(), std::vector<Eigen::Matrix3d>(4, turn));
+  mesh.save(folder / "b.glb");
+  EXPECT_EQ(read_text(folder / "b.glb"), model.container());
+}
+
+/// Smallest and largest that are no three numbers stay as they are.
+TEST_F(GltfEdit, BrokenBoundsStay) {
+  GltfModel model = square();
+  model.json["accessors"][0]["min"] = {0, 0};
+  model.json["accessors"][0]["max"] = {1, nullptr, 0.5};
+  const Json json = json_in(shifted(model, {1, 1, 1}));
+  EXPECT_EQ(json["accessors"][0]["min"], (Json{0, 0}));
+  EXPECT_EQ(json["accessors"][0]["max"], (Json{2, nullptr, 1.5}));
+}
+
+/// A mesh that a node of no scene shows as well: that node keeps all of it.
+TEST_F(GltfEdit, NodesOutsideOfTheSceneStay) {
+  GltfModel model = adorned();
+  model.json["meshes"].push_back(Json(square().json["meshes"][0]));
+  model.json["nodes"].push_back({{"mesh", 1}});
+  model.json["nodes"].push_back({{"mesh", 0}});
+  model.json["scenes"][0]["nodes"] = {0, 1};
+  EXPECT_EQ(shifted(model, {0, 0, 0}), model.container());
+  const std::string after = shifted(model, {0, 0.25, 0});
+  const Json json = json_in(after);
+  EXPECT_EQ(buffer_in(after).substr(0, model.bytes.size()), model.bytes);
+  EXPECT_EQ(json["meshes"][0], json_in(model.container())["meshes"][0]);
+  EXPECT_EQ(json["nodes"][2]["mesh"], 0);
+  EXPECT_EQ(json["nodes"][0]["mesh"], 2);
+  const Json& before = model.primitive()["attributes"];
+  Json attributes = json["meshes"][2]["primitives"][0]["attributes"];
+  EXPECT_NE(attributes["POSITION"], before["POSITION"]);
+  attributes["POSITION"] = before["POSITION"];
+  EXPECT_EQ(attributes, before);
+}
+
+/// A node that is a mirror image has tangents whose third direction is on the other side; in the
+/// file it stays where it was.
+TEST_F(GltfEdit, TangentsOfAMirrorImage) {
+  GltfModel model = adorned();
+  model.json["nodes"][0].erase("rotation");
+  model.json["nodes"][0]["scale"] = {-1, 1, 1};
+  Mesh mesh = load(model.container(), "a.glb");
+  Eigen::Matrix3d turn;  // x to y, y to -x
+  turn << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  mesh.set_positions(mesh.positions() * turn.transpose(), std::vector<Eigen::Matrix3d>(4, turn));
+  mesh.save(folder / "b.glb");
+  const std::string after = read_text(folder / "b.glb");
+  const std::size_t tangent = model.primitive()["attributes"]["TANGENT"];
+  const auto tangents = stored<float>(json_in(after), buffer_in(after), tangent);
+  for (std::size_t v = 0; v < 4; ++v) {
+    EXPECT_EQ(std::vector<float>(&tangents[4 * v], &tangents[4 * v] + 4),
+              (std::vector<float>{0, -1, 0, 1}))
+        << v;
+  }
 }
 
 /// Triangles of each kind face outwards after a mirror.
@@ -307,6 +508,29 @@ TEST_F(GltfEdit, MirrorsTurnTriangles) {
     }
   }
   EXPECT_EQ(checked, 12);
+}
+
+/// Indices that a mirror gives to several primitives are stored once; lists of none stay.
+TEST_F(GltfEdit, MirrorsTurnPrimitivesAlike) {
+  GltfModel model = square();
+  Json& primitives = model.json["meshes"][0]["primitives"];
+  primitives[0].erase("indices");
+  primitives[0]["mode"] = 6;
+  primitives.push_back(primitives[0]);
+  const std::string after = mirrored(model);
+  const Json json = json_in(after);
+  const std::size_t indices = json["meshes"][0]["primitives"][0]["indices"];
+  EXPECT_EQ(json["meshes"][0]["primitives"][1]["indices"], indices);
+  EXPECT_EQ(json["accessors"].size(), 3u);
+  EXPECT_EQ(stored<std::uint16_t>(json, buffer_in(after), indices),
+            (std::vector<std::uint16_t>{0, 3, 2, 1}));
+  for (const int mode : {4, 5, 6}) {
+    GltfModel empty = square();
+    empty.primitive()["indices"] = empty.add<std::uint8_t>({}, "SCALAR");
+    empty.primitive()["mode"] = mode;
+    const Json now = json_in(mirrored(empty));
+    EXPECT_EQ(now["meshes"], json_in(empty.container())["meshes"]) << mode;
+  }
 }
 
 /// A strip that a mirror makes longer may be a short one of vertices that 16 bits do not number.

@@ -84,5 +84,52 @@ TEST_F(GltfFiles, FromOneContainerToTheOther) {
   }
 }
 
+/// The first of several buffers is the chunk of a GLB; others are files beside it, and what has
+/// grown says so.
+TEST_F(GltfFiles, SeveralBuffers) {
+  GltfModel model = square();
+  model.json["bufferViews"][0]["buffer"] = 1;
+  model.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};  // which stay
+  Json json = Json::parse(model.text("a.bin"));
+  json["buffers"].push_back({{"byteLength", model.bytes.size()}, {"uri", "b.bin"}});
+  folder.write("a.bin", model.bytes);
+  folder.write("b.bin", model.bytes);
+  Mesh mesh = load(json.dump(), "in.gltf");
+  mesh.save(folder / "same.glb");
+  EXPECT_EQ(read_text(folder / "same-1.bin"), model.bytes);
+  EXPECT_EQ(Mesh::load(folder / "same.glb").positions(), mesh.positions());
+  mesh.set_positions(2 * mesh.positions());
+  for (const std::string name : {"out.gltf", "moved.glb"}) {
+    SCOPED_TRACE(name);
+    mesh.save(folder / name);
+    const std::string stem = name.substr(0, name.find('.'));
+    EXPECT_EQ(Mesh::load(folder / name).positions(), mesh.positions());
+    const std::string text = read_text(folder / name);
+    const Json now = name == "out.gltf" ? Json::parse(text) : json_in(text);
+    EXPECT_EQ(now["buffers"][1]["uri"], stem + "-1.bin");
+    EXPECT_EQ(now["buffers"][1]["byteLength"], model.bytes.size() + 48);
+    EXPECT_EQ(read_text(folder / (stem + "-1.bin")).substr(0, 60), model.bytes);
+    EXPECT_EQ(now["buffers"][0]["byteLength"], model.bytes.size());
+    if (name == "out.gltf") {
+      EXPECT_EQ(now["buffers"][0]["uri"], "out.bin");
+      EXPECT_EQ(read_text(folder / "out.bin"), model.bytes);
+    } else {
+      EXPECT_FALSE(now["buffers"][0].contains("uri"));
+      EXPECT_EQ(buffer_in(text), model.bytes);
+    }
+  }
+}
+
+/// Chunks of extensions have no place in a .gltf file.
+TEST_F(GltfFiles, ChunksThatOnlyAGlbHas) {
+  std::string chunks = square().container() + bytes_of<std::uint32_t>({4}) + "XTRAdata";
+  const auto length = static_cast<std::uint32_t>(chunks.size());
+  std::memcpy(&chunks[8], &length, sizeof(length));
+  const Mesh mesh = load(chunks, "a.glb");
+  EXPECT_ERROR_PART(mesh.save(folder / "b.gltf"),
+                    "it has chunks that only a GLB file can hold; write a .glb");
+  EXPECT_EQ(folder.files(), std::set<std::string>{"a.glb"});
+}
+
 }  // namespace
 }  // namespace hwffd

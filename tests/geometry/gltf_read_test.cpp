@@ -162,6 +162,9 @@ TEST_F(GltfRead, FilesBesideIt) {
            {"a%c3%a4.bin", "a\u00e4.bin"},
            {"100%.bin", "100%.bin"},
            {"my bin.bin", "my bin.bin"},
+           {"a%zzb%4.bin", "a%zzb%4.bin"},
+           {"./a:b.bin", "a:b.bin"},
+           {"a_b:c.bin", "a_b:c.bin"},     // no scheme has a _
            {"a%20b.bin", "a%20b.bin"}}) {  // of a writer that encodes nothing
     const auto file = folder.write(name, model.bytes);
     EXPECT_EQ(load(model.text(uri), "a.gltf").vertex_count(), 4u) << uri;
@@ -241,7 +244,24 @@ TEST_F(GltfRead, BrokenReferences) {
       {"/nodes/0", 3, "node 0: is no object"},
       {"/scene", 1, "its scene is 1 of 1"},
       {"/asset/version", "1.0", "glTF version 1.0"},
-      {"/accessors", 3, "its accessors are no array"}};
+      {"/accessors", 3, "its accessors are no array"},
+      {"/accessors/0/count", 3.5, "accessor 0: its count is no whole number"},
+      {"/accessors/0/count", -4.0, "accessor 0: its count is no whole number"},
+      {"/accessors/0/count", 1e300, "accessor 0: its count is no whole number"},
+      {"/accessors/0/normalized", 1, "accessor 0: its normalized is neither true nor false"},
+      {"/accessors/0",
+       {{"bufferView", 0}, {"componentType", 5126}, {"count", 3}, {"type", "MAT2"}},
+       "POSITION is an accessor of 4 components, not 3"},
+      {"/accessors/0",
+       {{"bufferView", 0}, {"componentType", 5121}, {"count", 5}, {"type", "MAT3"}},
+       "accessor 0: ends behind the 48 bytes of its bufferView"},  // of columns of four bytes
+      {"/bufferViews/0", {{"byteLength", 48}}, "bufferView 0: has no buffer"},
+      {"/nodes/0/name", 3, "node 0: its name is no text"},
+      {"/nodes/0/scale", {1, "1", 1}, "node 0: its scale has an entry that is no number"},
+      {"/nodes/0/children", {"a"}, "node 0: its children has an entry that is none of 1"},
+      {"/scenes/0/nodes", {1}, "scene 0: its nodes has an entry that is none of 1"},
+      {"/extensionsUsed", {3}, "the file: its extensionsUsed has an entry that is no text"},
+      {"/materials", {{{"alphaCutoff", "half"}}}, "material 0: its alphaCutoff is no number"}};
   for (const Bad& bad : all) {
     SCOPED_TRACE(bad.pointer);
     GltfModel model = square();
@@ -249,10 +269,156 @@ TEST_F(GltfRead, BrokenReferences) {
     expect_part(error(model.text()), bad.message);
     expect_part(error(model.container(), "a.glb"), bad.message);
   }
-  EXPECT_EQ(all.size(), 27u);
+  EXPECT_EQ(all.size(), 40u);
   GltfModel model = square();
   model.primitive()["indices"] = model.add<std::uint8_t>({0, 1, 4}, "SCALAR");
   expect_part(error(model.text()), "refers to vertex 4 of 4; repair the mesh");
+}
+
+/// 4.0 is a whole number, too.
+TEST_F(GltfRead, WholeNumbersWithAPoint) {
+  GltfModel model = square();
+  model.json["accessors"][0]["count"] = 4.0;
+  model.json["scene"] = 0.0;
+  EXPECT_EQ(positions(model), positions(square()));
+}
+
+/// A file without scenes shows all of its nodes.
+TEST_F(GltfRead, NodesWithoutAScene) {
+  GltfModel model = square();
+  model.json["nodes"] =
+      Json::parse(R"([{"mesh": 0}, {"children": [0], "translation": [0, 0, 5]}, {"mesh": 0}])");
+  model.json.erase("scenes");
+  model.json.erase("scene");
+  const Mesh mesh = load(model.text(), "a.gltf");
+  EXPECT_EQ(mesh.vertex_count(), 8u);
+  EXPECT_EQ(mesh.positions()(0, 2), 5);
+  EXPECT_EQ(mesh.positions()(4, 2), 0);
+}
+
+/// Primitives without positions are not shown; where there are no others, nothing is.
+TEST_F(GltfRead, NothingToShow) {
+  GltfModel model = square();
+  Json& primitives = model.json["meshes"][0]["primitives"];
+  primitives.push_back({{"attributes", Json::object()}});
+  EXPECT_EQ(load(model.text(), "a.gltf").scene().mNumMeshes, 1u);
+  primitives.erase(primitives.begin());
+  expect_part(error(model.text()), "holds no vertices");
+  model = square();
+  model.json["scenes"][0]["nodes"] = Json::array();
+  expect_part(error(model.text()), "holds no vertices");
+}
+
+/// Lists too short for the faces of their mode have none.
+TEST_F(GltfRead, ModesOfOneCorner) {
+  for (const int mode : {1, 2, 3, 4, 5, 6}) {
+    GltfModel model = square();
+    model.primitive()["indices"] = model.add<std::uint8_t>({2}, "SCALAR");
+    model.primitive()["mode"] = mode;
+    const Mesh mesh = load(model.text(), "a.gltf");
+    EXPECT_EQ(mesh.scene().mMeshes[0]->mNumFaces, 0u) << mode;
+    EXPECT_EQ(mesh.vertex_count(), 4u) << mode;
+  }
+}
+
+/// Indices of zeros but for a few, without a view of their own.
+TEST_F(GltfRead, SparseIndices) {
+  GltfModel model = square();
+  const std::size_t places = model.add<std::uint16_t>({1, 2}, "SCALAR");
+  const std::size_t values = model.add<std::uint16_t>({2, 3}, "SCALAR");
+  model.json["accessors"].push_back(
+      {{"componentType", 5123},
+       {"count", 3},
+       {"type", "SCALAR"},
+       {"sparse",
+        {{"count", 2},
+         {"indices", {{"bufferView", places}, {"componentType", 5123}}},
+         {"values", {{"bufferView", values}}}}}});
+  model.primitive()["indices"] = model.json["accessors"].size() - 1;
+  EXPECT_EQ(load(model.text(), "a.gltf").triangles(), (std::vector<Mesh::Triangle>{{0, 2, 3}}));
+}
+
+/// A part has the colours and texture coordinates that it names, and no more than eight sets.
+TEST_F(GltfRead, SetsOfEachPart) {
+  GltfModel model = square();
+  Json& primitives = model.json["meshes"][0]["primitives"];
+  primitives.push_back(primitives[0]);
+  primitives.push_back(primitives[0]);
+  const std::vector<std::uint8_t> red{255, 0, 0, 255, 0, 0, 255, 0, 0, 255, 0, 0};
+  const std::vector<float> green{0, 1, 0, 0.5f, 0, 1, 0, 0.5f, 0, 1, 0, 0.5f, 0, 1, 0, 0.5f};
+  primitives[0]["attributes"]["COLOR_0"] = model.add(red, "VEC3", 4, true);
+  primitives[1]["attributes"]["COLOR_0"] = model.add(green, "VEC4");
+  const std::vector<float> places{0, 1, 0, 0.75f, 1, 1, 1, 0};
+  primitives[1]["attributes"]["TEXCOORD_1"] = model.add(places, "VEC2");
+  primitives[1]["attributes"]["TEXCOORD_9"] = model.add(places, "VEC2");
+  const Mesh mesh = load(model.text(), "a.gltf");
+  ASSERT_EQ(mesh.scene().mNumMeshes, 3u);
+  const aiMesh& first = *mesh.scene().mMeshes[0];
+  const aiMesh& second = *mesh.scene().mMeshes[1];
+  EXPECT_EQ(first.mColors[0][3], aiColor4D(1, 0, 0, 1));
+  EXPECT_FALSE(first.HasTextureCoords(0));
+  EXPECT_EQ(second.mColors[0][3], aiColor4D(0, 1, 0, 0.5f));
+  ASSERT_EQ(second.GetNumUVChannels(), 1u);
+  EXPECT_EQ(second.mTextureCoords[0][1], aiVector3D(0, 0.25f, 0));
+  EXPECT_FALSE(mesh.scene().mMeshes[2]->HasVertexColors(0));
+}
+
+/// Base64 of either alphabet, with line ends in between.
+TEST_F(GltfRead, DataUris) {
+  GltfModel model = square();
+  // Of a coordinate that has the digits + and / in base64.
+  const std::vector<float> places{-1.9375f, 0, 0, 1, 0, 0, -1.99609375f, 1, 0, 0, 1, 0.5f};
+  model.primitive()["attributes"]["POSITION"] = model.add(places, "VEC3");
+  const std::string text = model.text();
+  const Points expected = load(text, "a.gltf").positions();
+  EXPECT_EQ(expected(0, 0), places[0]);
+  const std::size_t begin = text.find("base64,") + 7;
+  const std::size_t end = text.find('"', begin);
+  const std::string plain = text.substr(begin, end - begin);
+  ASSERT_NE(plain.find_first_of("+/"), plain.npos);
+  const auto with = [&](const std::string& data) {
+    return text.substr(0, begin) + data + text.substr(end);
+  };
+  std::string alphabet = plain;
+  std::replace(alphabet.begin(), alphabet.end(), '+', '-');
+  std::replace(alphabet.begin(), alphabet.end(), '/', '_');
+  std::string blanks = plain;
+  for (const char* blank : {"\\n", "\\r", "\\t", " "}) blanks.insert(8, blank);
+  for (const std::string& data : {alphabet, blanks}) {
+    EXPECT_EQ(load(with(data), "a.gltf").positions(), expected);
+  }
+  std::string percent = text;
+  percent.replace(percent.find(";base64"), 7, "");
+  std::string comma = text;
+  comma.replace(begin - 1, 1, "");
+  for (const std::string& broken : {with("AA*A" + plain), percent, comma, with("")}) {
+    const bool is_empty = broken == with("");
+    expect_part(error(broken),
+                is_empty ? "buffer 0: has 0 bytes" : "buffer 0: its data URI is not base64");
+  }
+}
+
+/// Two buffers of one file; a buffer that has neither a name nor the chunk of a GLB.
+TEST_F(GltfRead, HomesOfBuffers) {
+  GltfModel model = square();
+  folder.write("a.bin", model.bytes);
+  Json json = Json::parse(model.text("a.bin"));
+  json["buffers"].push_back(json["buffers"][0]);
+  json["bufferViews"][1]["buffer"] = 1;
+  EXPECT_EQ(load(json.dump(), "a.gltf").positions(), positions(model));
+  json["buffers"][0].erase("uri");
+  expect_part(error(json.dump()), "buffer 0: has no uri");
+  Json all = json_in(model.container());
+  all["buffers"].push_back({{"byteLength", 1}});
+  std::string text = all.dump();
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  const auto size = static_cast<std::uint32_t>(text.size());
+  const std::string container = model.container();
+  const std::string chunk = container.substr(container.find(std::string("BIN\0", 4)) - 4);
+  const auto length = static_cast<std::uint32_t>(20 + size + chunk.size());
+  expect_part(
+      error("glTF" + bytes_of<std::uint32_t>({2, length, size}) + "JSON" + text + chunk, "a.glb"),
+      "buffer 1: has no uri");
 }
 
 TEST_F(GltfRead, BrokenSparse) {
@@ -322,6 +488,20 @@ TEST_F(GltfRead, Containers) {
   expect_part(error("{\"asset\":\n x", "a.gltf"), "no JSON in line 2, column 2");
   expect_part(error("{\"asset\": 1e999}", "a.gltf"), "a number too large for double precision");
   expect_part(error("[]", "a.gltf"), "its JSON is no object");
+  expect_part(error("", "a.gltf"), "no JSON in line 1, column 1");
+  expect_part(error(std::string("{\"asset\":\0 {}}", 13), "a.gltf"), "a zero byte in its JSON");
+  other = good;
+  other.replace(16, 4, std::string("BIN\0", 4));
+  expect_part(error(other, "a.glb"), "its first chunk is not JSON");
+  // A container of JSON alone, with its buffer in the text.
+  std::string text = square().text();
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  const auto size = static_cast<std::uint32_t>(text.size());
+  const std::string alone = "glTF" + bytes_of<std::uint32_t>({2, 20 + size, size}) + "JSON" + text;
+  const Mesh mesh = load(alone, "a.glb");
+  EXPECT_EQ(mesh.vertex_count(), 4u);
+  EXPECT_TRUE(mesh.save(folder / "b.glb").empty());
+  EXPECT_EQ(read_text(folder / "b.glb"), alone);
 }
 
 /// Alpha comes through every chain of formats that has it once, however often.
