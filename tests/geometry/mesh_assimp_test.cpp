@@ -138,6 +138,9 @@ TEST_F(MeshByAssimp, WhatIsRefused) {
   far.corners = "0 0 0 1e38 0 0 0 1e38 0";
   far.nodes = "<node><scale>100 100 1</scale><instance_geometry url=\"#g\"/></node>";
   expect_part(error(far), "has a coordinate that is not a finite binary32 number");
+  DaeFile nothing;
+  nothing.nodes = "<node/>";
+  expect_part(error(nothing), "; accepted are obj, ply, stl, 3ds, glb, gltf, dae and what else");
 }
 
 /// A program of few formats has Assimp read glTF, whose vertices it numbers as the file does; the

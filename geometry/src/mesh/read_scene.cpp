@@ -2,6 +2,7 @@
 
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/MemoryIOWrapper.h>
+#include <assimp/config.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -54,6 +55,8 @@ std::string reason_of(const Assimp::Importer& importer) {
 std::unique_ptr<aiScene> import(const std::string& name, const std::string& bytes) {
   Assimp::Importer importer;
   importer.SetIOHandler(new SourceIo(name, bytes));  // owned by the importer
+  // Where nodes show no mesh, it would make one of them.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   if (importer.ReadFile(name, 0) == nullptr) throw not_a_mesh(reason_of(importer));
   std::unique_ptr<aiScene> scene(importer.GetOrphanedScene());
   if (scene->mRootNode == nullptr) throw not_a_mesh("no scene");
