@@ -144,12 +144,6 @@ void turn_faces(aiMesh& mesh) {
   }
 }
 
-void reorder(aiMesh& mesh, const std::vector<unsigned>& order) {
-  std::vector<unsigned> index(order.size());
-  for (unsigned v = 0; v < order.size(); ++v) index[order[v]] = v;
-  select(mesh, order, index);
-}
-
 std::vector<std::string> strip_scene(aiScene& scene) {
   unsigned bones = 0;
   unsigned targets = 0;

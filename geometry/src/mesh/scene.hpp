@@ -35,10 +35,6 @@ std::vector<std::string> strip_scene(aiScene& scene);
 /// their first appearance. (Assimp's own step also joins vertices that are merely close.)
 void join_corners(aiScene& scene);
 
-/// Puts the vertices of a part in another order.
-/// @param order  old numbers of the vertices, each once
-void reorder(aiMesh& mesh, const std::vector<unsigned>& order);
-
 /// Applies every node's transform to the parts below it, gives each instance a part of its own,
 /// turns faces of mirrored parts round, and drops parts that no node shows.
 void bake_transforms(aiScene& scene);

@@ -149,7 +149,6 @@ class StlDocument : public Document {
     } else {
       read_binary();
     }
-    if (content_.parts.empty()) begin_part("", 0);
     content_.parts.back().faces = normals_.size() / 3 - content_.parts.back().first_face;
     join();
     is_single_ = content_.is_single;
