@@ -1,41 +1,14 @@
 #include "timeline.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <nlohmann/json.hpp>
 
-#include "hwffd/model/schedule.hpp"
+#include "hwffd/tb/recorded_lanes.hpp"
 
 namespace hwffd::organizations {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Starts or steps as entries, each of the vertex whose step it belongs to: entries are steps in
-/// their order, or whole shares of a vertex.
-std::vector<cores::Entry> entries_of(const std::vector<std::uint64_t>& clocks,
-                                     const tb::ScheduleRecorder& recorded) {
-  std::vector<cores::Entry> entries;
-  for (std::size_t i = 0; i < clocks.size(); ++i) {
-    const std::size_t step = i * recorded.sources().size() / clocks.size();
-    entries.push_back({clocks[i], recorded.sources()[step]});
-  }
-  return entries;
-}
-
-cores::Schedule schedule_of(const tb::ScheduleRecorder& recorded) {
-  cores::Schedule schedule;
-  schedule.polynomials = entries_of(recorded.polynomials().starts, recorded);
-  if (const tb::ScheduleRecorder::Sequencer* generator = recorded.combinations()) {
-    schedule.combinations = entries_of(generator->starts, recorded);
-  }
-  schedule.steps = entries_of(recorded.steps(), recorded);
-  schedule.sums = recorded.sums();
-  for (std::size_t vertex = 0; vertex < recorded.results().size(); ++vertex)
-    schedule.results.push_back({recorded.results()[vertex], vertex});
-  schedule.end = std::numeric_limits<std::uint64_t>::max();
-  return schedule;
-}
 
 struct Window {
   std::uint64_t begin;
@@ -77,9 +50,8 @@ Json json_of(const cores::Lane& lane, const Window& window) {
 
 std::vector<cores::Lane> lanes_of(const Row& row) {
   const Configuration& c = *row.configuration;
-  // Of ffd_bench_evaluator; a clock more where reads of several lanes meet.
-  const int read_latency = hwffd::lanes(c) > 1 && folds(c) == 3 ? 3 : 2;
-  return lanes_of(c, {row.count.evaluators, read_latency}, schedule_of(row.measured.schedule));
+  return lanes_of(c, {row.count.evaluators, tb::bench_read_latency(c)},
+                  tb::schedule_of(row.measured.schedule));
 }
 
 std::string timelines(const Comparison& comparison) {
