@@ -13,6 +13,17 @@
 namespace hwffd::test {
 namespace {
 
+/// What is thrown as a DriverError; empty: nothing.
+template <class Body>
+std::string complaint(const Body& body) {
+  try {
+    body();
+  } catch (const DriverError& error) {
+    return error.what();
+  }
+  return "";
+}
+
 class DriverClass : public testing::Test {
  protected:
   RegisterBench bench_{1, "bernoulli"};
@@ -100,13 +111,25 @@ TEST(DriverProbe, RefusesWhatItDoesNotKnow) {
   EXPECT_THROW(driver.probe(), DriverError);
 }
 
-/// Throws at one access, counted from 0.
+/// Throws at one access, counted from 0. Behind it is a core that is done and has had an error.
 class FailingPort final : public RegisterPort {
  public:
   explicit FailingPort(int place) : place_(place) {}
   std::uint32_t read32(std::uint32_t offset) override {
     access();
-    return offset == HWFFD_ID_OFFSET ? HWFFD_ID_RESET : 0;
+    switch (offset) {
+      case HWFFD_ID_OFFSET:
+        return HWFFD_ID_RESET;
+      case HWFFD_STATUS_OFFSET:
+        return HWFFD_STATUS_DONE_MASK | HWFFD_STATUS_IDLE_MASK;
+      case HWFFD_ERROR_STATUS_OFFSET:
+      case HWFFD_IRQ_STATE_OFFSET:
+        return 1;
+      case HWFFD_ERROR_FIRST_OFFSET:
+        return HWFFD_ERROR_FIRST_VALID_MASK;
+      default:
+        return 0;
+    }
   }
   void write32(std::uint32_t, std::uint32_t) override { access(); }
   int accesses() const { return accesses_; }
@@ -128,11 +151,19 @@ TEST(DriverPort, WhatItThrowsComesThroughAtOnce) {
     try {
       driver.probe();
       driver.set_windows({0, 15}, {0, 15});
+      driver.lock_windows();
       driver.set_ring({0, 1});
       driver.set_results({0, 16});
+      driver.next_entry();
       driver.push(1);
       driver.start();
+      driver.wait_done(1);
+      driver.result_count();
       driver.take_errors();
+      driver.take_interrupts();
+      driver.stopped();
+      driver.soft_reset(1);
+      driver.stop_grid();
       break;
     } catch (const std::out_of_range& error) {
       EXPECT_EQ(error.what(), std::string("no such access"));
@@ -140,7 +171,7 @@ TEST(DriverPort, WhatItThrowsComesThroughAtOnce) {
       ++places;
     }
   }
-  EXPECT_GT(places, 30);
+  EXPECT_GT(places, 50);
 }
 
 TEST(DriverPort, EachStatusHasALineOfItsOwn) {
@@ -150,6 +181,53 @@ TEST(DriverPort, EachStatusHasALineOfItsOwn) {
     EXPECT_EQ(line.find('\n'), std::string::npos);
     EXPECT_TRUE(lines.insert(line).second) << line;
   }
+  const auto other = static_cast<hwffd_core_status>(HWFFD_CORE_LATE + 1);
+  EXPECT_EQ(lines.count(hwffd_core_text(other)), 0u);
+}
+
+TEST_F(DriverClass, SaysWhyThereIsNoStore) {
+  EXPECT_EQ(complaint([&] { driver_.store(); }), "the core is not known yet: probe it first");
+  driver_.probe();
+  EXPECT_EQ(complaint([&] { driver_.store(); }),
+            "this core keeps no lattice: send interleaved vertices, or build it with RESIDENT = 1");
+  for (const unsigned pages : {0u, 4u}) {
+    bench_.inputs()["limits_points_axis_i"] = 16;
+    bench_.inputs()["limits2_pages_i"] = 4;
+    bench_.inputs()["features_pages_i"] = pages != 0 ? 1 : 0;
+    bench_.inputs()["features_spans_i"] = 1;
+    driver_.probe();
+    EXPECT_EQ(driver_.store().axis_points, 16);
+    EXPECT_EQ(driver_.store().pages, static_cast<int>(pages));
+    EXPECT_EQ(driver_.store().spans, pages != 0);
+  }
+}
+
+TEST_F(DriverClass, SaysWhichCellsCanBeSaid) {
+  for (const char* feature : {"resident", "pages", "large"}) {
+    bench_.inputs()[std::string("features_") + feature + "_i"] = 1;
+  }
+  const auto said = [&](unsigned axis, int cell, bool large) {
+    bench_.inputs()["limits_points_axis_i"] = axis;
+    bench_.inputs()["limits2_pages_i"] = 4;
+    driver_.probe();
+    PageVertices how;
+    how.large = large;
+    VertexBeat vertex{};
+    vertex.cell[1] = cell;
+    return complaint([&] { driver_.page_vertices(0, {vertex}, how); });
+  };
+  const std::string text = " along axis t: 0 to ";
+  EXPECT_EQ(said(16, 15, false), "");
+  EXPECT_EQ(said(64, 63, true), "");
+  EXPECT_EQ(said(16, 16, false), "vertex 0: cell 16" + text +
+                                     "15 can be said to this core; "
+                                     "cut the lattice into pages, or build with AXIS");
+  EXPECT_EQ(said(64, 32, false),
+            "vertex 0: cell 32" + text + "31 can be said to this core; set large");
+  EXPECT_EQ(said(64, 64, true), "vertex 0: cell 64" + text +
+                                    "63 can be said to this core; "
+                                    "cut the lattice into pages, or build with AXIS");
+  EXPECT_NE(said(16, -1, false), "");
 }
 
 TEST_F(DriverClass, SetsAndLocksTheWindows) {
