@@ -194,6 +194,16 @@ class Mesh3(GlTest):
         self.expect_points(gl.LINE, (1, 4, 0, 2, 1, 3), [
             point for line in lines for segment in zip(line, line[1:]) for point in segment])
 
+    def test_a_restart_of_primitives_takes_no_vertex(self):
+        gl.PrimitiveRestartIndex(1)
+        gl.Enable(gl.PRIMITIVE_RESTART)
+        try:
+            self.test_points_run_along_u_then_v_then_w()
+            self.test_lines_run_along_each_axis()
+            self.assertTrue(gl.IsEnabled(gl.PRIMITIVE_RESTART))
+        finally:
+            gl.Disable(gl.PRIMITIVE_RESTART)
+
     def test_coordinates_of_every_type(self):
         a, b = (0.25, 0.5, 0.75), (0.125, 0.625, 0.375)
         calls = [(gl.EvalCoord3f, *a), (gl.EvalCoord3fv, a), (gl.EvalCoord3d, *b),

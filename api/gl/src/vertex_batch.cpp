@@ -26,10 +26,20 @@ bool stacks_have_room() {
   return true;
 }
 
+/// Whether a program's primitive restart (OpenGL 3.1) takes a vertex for the end of a primitive.
+bool restarts() {
+  GLint major = 0;
+  GLint minor = 0;
+  glGetIntegerv(GL_MAJOR_VERSION, &major);
+  glGetIntegerv(GL_MINOR_VERSION, &minor);
+  return (major > 3 || (major == 3 && minor > 0)) && glIsEnabled(GL_PRIMITIVE_RESTART) == GL_TRUE;
+}
+
 /// State, vertex array and buffer of one draw; the context gets its own back afterwards.
 class Buffers {
  public:
-  Buffers(std::size_t numbers, GLbitfield attributes) {
+  Buffers(std::size_t numbers, GLbitfield attributes) : restarts_(restarts()) {
+    if (restarts_) glDisable(GL_PRIMITIVE_RESTART);
     glPushAttrib(GL_CURRENT_BIT | attributes);
     glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
     glGenVertexArrays(1, &array_);
@@ -45,6 +55,7 @@ class Buffers {
   ~Buffers() {
     glPopClientAttrib();
     glPopAttrib();
+    if (restarts_) glEnable(GL_PRIMITIVE_RESTART);
     glDeleteVertexArrays(1, &array_);
     glDeleteBuffers(1, &buffer_);
   }
@@ -63,6 +74,7 @@ class Buffers {
   }
 
  private:
+  bool restarts_;
   GLuint array_ = 0;
   GLuint buffer_ = 0;
   std::uintptr_t used_ = 0;
