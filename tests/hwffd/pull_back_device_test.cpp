@@ -347,6 +347,9 @@ TEST_F(PullBackDevice, WhatHasItNotSaysWhatHas) {
   EXPECT_ERROR_PART(pull({"model", "affine", "fx32"}),
                     "has no transpose; take organization affine");
   EXPECT_THROW(make_pull_back_device("fpga"), UsageError);
+  EXPECT_ERROR(make_pull_back_device("uio:0"),
+               "uio:0: its core evaluates, and adds no gradients up; name device rtl, model or "
+               "reference where they are pulled back");
   DeviceChoice choice{"model"};
   choice.rows = true;
   const Grid grid = grid_between({0, 0, 0}, {1, 1, 1}, {5, 2, 1});

@@ -57,6 +57,13 @@ std::optional<std::string> behind(const std::string& device, std::string_view st
   return device.substr(start.size());
 }
 
+/// Whether a name begins as a board's: "serial:", "uio:" or "socket:".
+bool names_board(const std::string& device) {
+  return std::any_of(board_kinds().begin(), board_kinds().end(), [&](const std::string& kind) {
+    return behind(device, kind.substr(0, kind.find(':') + 1)).has_value();
+  });
+}
+
 /// @throws Error for gradients that are not of so many vertices, or not finite
 void check_gradient(const Points& gradient, std::size_t vertices) {
   if (static_cast<std::size_t>(gradient.rows()) != vertices) {
@@ -513,6 +520,7 @@ std::unique_ptr<Device> make_device(const DeviceChoice& asked) {
 }
 
 std::unique_ptr<Device> make_pull_back_device(const std::string& kind, bool rows) {
+  if (names_board(kind)) throw Error(no_pull_back(kind));
   check_kind(kind, device_kinds());
   if (kind == "rtl") {
     if (!cores::has_scatter_core()) throw UsageError(kNoHardware);

@@ -191,6 +191,7 @@ std::vector<std::string> device_rows(const std::string& kind);
 /// @param rows  grids go by rows: DeviceChoice::rows, and a core with ROWS 1, which takes lattices
 ///   of up to 32 points an axis. The reference, which has but one result, does not look at it.
 /// @throws UsageError for an unknown kind, and for `rtl` where no simulated hardware is there
+/// @throws Error for a board
 std::unique_ptr<Device> make_pull_back_device(const std::string& kind, bool rows = false);
 
 /// @throws UsageError for an unknown device, and for an organization, format or row that it does
