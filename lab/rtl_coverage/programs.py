@@ -74,7 +74,9 @@ def run(programs, build, folder, jobs, share):
             print(f"coverage: {program.name} fails: see {paths[program].with_suffix('.log')}",
                   file=sys.stderr)
 
-    job_pool.run(work, programs, jobs, ended, name=lambda program: program.name)
+    # Large ones first: they have most models and run longest, and at the end no core waits for one of them.
+    largest_first = sorted(programs, key=lambda program: -program.stat().st_size)
+    job_pool.run(work, largest_first, jobs, ended, name=lambda program: program.name)
     if failed:
         raise CoverageError(f"{len(failed)} of {len(programs)} programs fail")
     return [path for path in paths.values() if path.exists()]
