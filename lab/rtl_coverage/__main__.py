@@ -36,6 +36,7 @@ def work_on(options):
     if not run:
         raise counting.CoverageError(f"no program matches '{options.only}'")
     folder = build / "coverage"
+    cpp.forget_outdated(build)
     counts = counting.read(programs.run(run, build, folder, options.jobs, options.share))
     if options.only == "*":
         programs.run_calls(build, folder)

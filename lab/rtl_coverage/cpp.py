@@ -30,6 +30,14 @@ def _files(root, build):
     return json.loads(answer.stdout)["files"]
 
 
+def forget_outdated(build):
+    """Removes counts of code that has been compiled anew since: a program that finds them says so among its errors."""
+    for notes in build.rglob("*.gcno"):
+        counts = notes.with_suffix(".gcda")
+        if counts.exists() and counts.stat().st_mtime < notes.stat().st_mtime:
+            counts.unlink()
+
+
 def rows(root, build):
     """A row for each folder."""
     files, measured = _files(root, build), []

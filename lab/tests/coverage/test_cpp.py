@@ -3,6 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import os
 import subprocess
 
 import pytest
@@ -49,6 +50,14 @@ def build(tmp_path):
 def test_a_line_of_a_template_is_one_line(build):
     for row in build(cpp.FOLDERS):
         assert (row["lines"], row["line"], row["branches"], row["branch"]) == (10, 80.0, 4, 100.0), row
+
+
+def test_counts_of_what_was_compiled_anew_are_forgotten(build, tmp_path):
+    build(cpp.FOLDERS)
+    kept, outdated = (next(tmp_path.rglob(f"{folder}-main-*.gcda")) for folder in cpp.FOLDERS[:2])
+    os.utime(outdated, (0, 0))
+    cpp.forget_outdated(tmp_path / "build")
+    assert kept.exists() and not outdated.exists()
 
 
 def test_a_folder_of_which_nothing_was_counted(build):
