@@ -109,6 +109,44 @@ TEST(CApi, DevicesAgree) {
   for (int i = 0; i < 9; ++i) EXPECT_NEAR(model[i], reference[i], 1e-6);
 }
 
+TEST(CApi, ADeviceIsNamedWithItsOrganizationAndFormat) {
+  const Lattice lattice = ball();
+  ASSERT_EQ(hwffd_lattice_deform(lattice.get(), "bend:45"), HWFFD_OK);
+  double exact[9], coarse[9];
+  ASSERT_EQ(hwffd_deform(lattice.get(), kPoints, 3, exact), HWFFD_OK);
+  ASSERT_EQ(hwffd_lattice_device(lattice.get(), "model", "factored/3", "fx18"), HWFFD_OK)
+      << hwffd_error();
+  ASSERT_EQ(hwffd_deform(lattice.get(), kPoints, 3, coarse), HWFFD_OK);
+  double most = 0;
+  for (int i = 0; i < 9; ++i) most = std::max(most, std::abs(coarse[i] - exact[i]));
+  EXPECT_GT(most, 1e-6);
+  EXPECT_LT(most, 1e-3);
+  EXPECT_EQ(hwffd_lattice_device(lattice.get(), "model", "cg9", nullptr), HWFFD_USAGE);
+  EXPECT_TRUE(says("no organization 'cg9' here")) << hwffd_error();
+  EXPECT_EQ(hwffd_lattice_device(lattice.get(), "model", nullptr, "fx99"), HWFFD_USAGE);
+  EXPECT_TRUE(says("no 'basic' in format 'fx99' here")) << hwffd_error();
+  double same[9];
+  ASSERT_EQ(hwffd_deform(lattice.get(), kPoints, 3, same), HWFFD_OK);
+  EXPECT_EQ(bits(same, 9), bits(coarse, 9)) << "a device that is refused leaves the one before";
+}
+
+TEST(CApi, BitsDoNotDependOnThreads) {
+  const Lattice lattice = ball();
+  ASSERT_EQ(hwffd_lattice_deform(lattice.get(), "twist:90"), HWFFD_OK);
+  constexpr std::size_t kCount = 30'000;
+  std::vector<double> points(3 * kCount);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i] = static_cast<double>(i * 7919 % 1000) / 1000 - 0.5;
+  }
+  std::vector<double> one(points.size()), three(points.size());
+  hwffd_set_threads(1);
+  ASSERT_EQ(hwffd_deform(lattice.get(), points.data(), kCount, one.data()), HWFFD_OK);
+  hwffd_set_threads(3);
+  ASSERT_EQ(hwffd_deform(lattice.get(), points.data(), kCount, three.data()), HWFFD_OK);
+  hwffd_set_threads(0);
+  EXPECT_EQ(bits(one.data(), one.size()), bits(three.data(), three.size()));
+}
+
 // <evaluate(P), g> = <P, pull_back(g)>, in double and nearly so in fixed point.
 TEST(CApi, PullBackIsTheTransposeOfEvaluate) {
   const Lattice lattice = ball();
@@ -223,6 +261,13 @@ TEST(CApi, AFileOfALatticeBringsItsFamilyAndItsDeformation) {
   EXPECT_NEAR(moved[0], 1.25, 1e-12);
   EXPECT_NEAR(moved[1], 0.5, 1e-12);
   EXPECT_NEAR(moved[2], 2.75, 1e-12);
+  // Without `rest` the points are those at rest.
+  std::ofstream(path) << R"({"hwffd_lattice":1,"dims":[4,4,4],"family":"bernstein","points":[)"
+                      << rest << "]}";
+  const Lattice still(hwffd_lattice_read(path.c_str()));
+  ASSERT_NE(still, nullptr) << hwffd_error();
+  ASSERT_EQ(hwffd_deform(still.get(), corner, 1, moved), HWFFD_OK) << hwffd_error();
+  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(moved[axis], corner[axis], 1e-12);
 }
 
 TEST(CApi, FailuresSayWhy) {
@@ -247,6 +292,13 @@ TEST(CApi, FailuresSayWhy) {
   EXPECT_EQ(hwffd_deform(nullptr, point, 1, out), HWFFD_USAGE);
   EXPECT_EQ(hwffd_deform(lattice.get(), nullptr, 1, out), HWFFD_USAGE);
   EXPECT_EQ(hwffd_deform(lattice.get(), nullptr, 0, nullptr), HWFFD_OK);
+  constexpr std::size_t kMost = std::size_t{1} << 56;
+  EXPECT_EQ(hwffd_deform(lattice.get(), point, kMost + 1, out), HWFFD_USAGE);
+  EXPECT_TRUE(says("n: 72057594037927937 points; give at most 72057594037927936"));
+  EXPECT_EQ(hwffd_deform(lattice.get(), point, kMost, out), HWFFD_ERROR);
+  EXPECT_STREQ(hwffd_error(), "there is not enough memory; give fewer points");
+  EXPECT_EQ(hwffd_lattice_around("box", nullptr, kCorners, kMost), nullptr);
+  EXPECT_STREQ(hwffd_error(), "there is not enough memory; give fewer points");
   EXPECT_EQ(hwffd_lattice_deform(lattice.get(), "twirl:3"), HWFFD_USAGE);
   EXPECT_TRUE(says("twirl"));
   EXPECT_EQ(hwffd_lattice_device(lattice.get(), "fpga", nullptr, nullptr), HWFFD_USAGE);

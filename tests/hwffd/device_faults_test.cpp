@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "device/stream_device.hpp"
+#include "errors.hpp"
+#include "hwffd/cores/stream_core.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/around.hpp"
 #include "hwffd/lattice/deformation.hpp"
@@ -45,6 +47,52 @@ TEST(DeviceFaults, AnInterruptedDeviceIsAsNew) {
       device->on_progress({});
       EXPECT_EQ(device->evaluate(lattice, places(300)), expected) << kind << " at " << when;
     }
+  }
+}
+
+TEST(DeviceFaults, AnInterruptedPullBackLeavesNothingInTheSums) {
+  const Index3 dims{5, 5, 5};
+  const Points gradient = Points::Random(300, 3);
+  const Points expected = make_pull_back_device("model")->pull_back(dims, places(300), gradient);
+  const std::unique_ptr<Device> device = make_pull_back_device("rtl");
+  for (const double when : {0.0, 0.3, 0.9}) {
+    device->on_progress([&](double done) {
+      if (done >= when) throw Stop("enough");
+    });
+    EXPECT_THROW(device->pull_back(dims, places(300), gradient), Stop);
+    device->on_progress({});
+    EXPECT_EQ(device->pull_back(dims, places(300), gradient), expected) << when;
+  }
+}
+
+/// A core that takes all it is given, and gives some beats, or is never idle.
+class SilentCore final : public cores::StreamCore {
+ public:
+  explicit SilentCore(int gives) : gives_(gives) {}
+
+  void drive_reset(bool /*asserted*/) override {}
+  void drive_input(bool valid, const Beat& /*beat*/) override { asked_ = asked_ || valid; }
+  void drive_output_ready(bool /*ready*/) override {}
+  void settle() override {}
+  void clock() override { gives_ -= output_valid() ? 1 : 0; }
+  bool input_ready() const override { return true; }
+  bool output_valid() const override { return asked_ && gives_ > 0; }
+  Beat output() const override { return {}; }
+  bool idle() const override { return false; }
+
+ private:
+  int gives_;
+  bool asked_ = false;
+};
+
+TEST(DeviceFaults, ACoreThatFallsSilentIsAFault) {
+  const Configuration& row = find_configuration("basic-fp32-overlapped");
+  for (const int came : {0, 7, 20}) {
+    StreamDevice device("rtl", row, rtl_stream(std::make_unique<SilentCore>(came), row.name, {}));
+    EXPECT_ERROR(device.evaluate(box(), places(20)),
+                 "basic-fp32-overlapped: " + std::to_string(came) +
+                     " of 20 results came, then none for 1000000 clocks; this is a fault of the "
+                     "hardware: please report it");
   }
 }
 
@@ -150,6 +198,16 @@ TEST(DeviceFaults, NumbersThatAFormatDoesNotHoldAreNoResults) {
     EXPECT_TRUE(make_device({"model", "basic", format})->evaluate(lattice, places(10)).allFinite());
   }
   EXPECT_TRUE(make_device({"reference", "", ""})->evaluate(lattice, places(10)).allFinite());
+  // A sum of them that is held, with differences that are not.
+  Points apart = far;
+  for (Eigen::Index row = 0; row < apart.rows(); ++row) {
+    apart.row(row).setConstant(row / 25 % 4 < 2 ? -3e38 : 3e38);
+  }
+  const std::vector<Embedded> middle{{{0, 0, 0}, {0.5, 0.5, 0.5}}};
+  const std::unique_ptr<Device> single = make_device({"model", "basic", "fp32"});
+  EXPECT_TRUE(single->evaluate(Lattice({5, 5, 5}, apart), middle).allFinite());
+  EXPECT_ERROR_PART(single->tangents(Lattice({5, 5, 5}, apart), middle),
+                    "vertex 0: the result is not finite; the control points are too large");
   const Device::Blending none{Eigen::Matrix4d::Constant(NAN), Oracle::linear(), Oracle::linear()};
   for (const char* format : {"fp32", "bfp32", "fx18"}) {
     EXPECT_THROW(make_device({"model", "basic", format})->evaluate(box(), places(3), none), Error)

@@ -289,6 +289,42 @@ TEST(Device, RefusesWhatItCannotIndex) {
   }
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(device->evaluate(scene.lattice, {{{0, 0, 0}, {0, nan, 0}, true}}), Error);
+  const Oracle::Coefficients bspline = Oracle::uniform_bspline();
+  std::vector<SupportedVertex> vertices(2, {Eigen::Vector3d::Zero(), Support::Zero()});
+  EXPECT_EQ(device->evaluate(vertices, {bspline, bspline, bspline}), Points::Zero(2, 3));
+  const std::string text = "vertex 1: a coordinate or control point is not finite; leave it out";
+  vertices[1].support(63, 2) = nan;
+  EXPECT_ERROR(device->evaluate(vertices, {bspline, bspline, bspline}), text);
+  vertices[1] = {{0, 0, nan}, Support::Zero()};
+  EXPECT_ERROR(device->evaluate(vertices, {bspline, bspline, bspline}), text);
+}
+
+// Before anything is opened, but for what is not there.
+TEST(Device, BoardsSayWhatTheyWant) {
+  const std::string folder = "/no/such/folder/x";
+  const DeviceChoice pages{"", "", "", 4};
+  const DeviceChoice points{"", "", "", 0, 20};
+  for (const std::string& board : {"serial:" + folder, std::string("uio:7"), "socket:" + folder}) {
+    const std::string kind = board.substr(0, board.find(':'));
+    for (DeviceChoice choice : {pages, points}) {
+      choice.device = board;
+      EXPECT_USAGE_ERROR(make_device(choice),
+                         "device " + kind +
+                             ": its core has the pages and points an axis that it has; leave both "
+                             "out");
+    }
+    EXPECT_USAGE_ERROR_PART(make_device({board, "", "fx99"}), "in format 'fx99' here; it has ");
+    EXPECT_ERROR_PART(make_device({board, "", "fx18"}), kind == "uio" ? "/uio7/" : board);
+    EXPECT_ERROR_PART(make_device({board, "cg1", ""}), kind == "uio" ? "/uio7/" : board);
+  }
+  for (const char* number : {"uio:", "uio:x", "uio:7/.."}) {
+    EXPECT_USAGE_ERROR(make_device({number}),
+                       "device uio: needs the number of its file, such as uio:0 for /dev/uio0");
+  }
+  EXPECT_EQ(device_rows("serial:PATH"), std::vector<std::string>{"cg1-fx18-overlapped"});
+  for (const char* kind : {"uio:N", "socket:PATH", "reference"}) {
+    EXPECT_EQ(device_rows(kind), std::vector<std::string>{}) << kind;
+  }
 }
 
 TEST(Device, EveryRowCanBeChosen) {

@@ -127,6 +127,31 @@ TEST_F(Library, GradientsAreThoseOfDifferences) {
   }
 }
 
+TEST_F(Library, DisplacementsAndTheInverseAreThoseOfWhatIsCarried) {
+  for (const std::string family : {"bspline", "bernstein"}) {
+    DeformableLattice lattice = bent(family, "reference");
+    const Points carried = lattice.carry(points_);
+    EXPECT_EQ(lattice.displacements(points_), carried - points_) << family;
+    EXPECT_LT((lattice.inverse(carried) - points_).cwiseAbs().maxCoeff(), 1e-9) << family;
+    Points broken = carried;
+    broken(41, 2) = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_ERROR_PART(lattice.inverse(broken), "point 41 is not finite");
+  }
+}
+
+// Points that x takes further by a y^2 have one second derivative, 2 a.
+TEST_F(Library, BendingEnergyIsOfTheDeformationAlone) {
+  constexpr double kBend = 0.1;
+  DeformableLattice lattice(lattice_around("box", cube(), {5, 6, 4}));
+  EXPECT_NEAR(lattice.bending_energy(), 0, 1e-20);
+  lattice.deform("twist:30");
+  EXPECT_GT(lattice.bending_energy(), 1e-3);
+  Points points = lattice.rest().points();
+  points.col(0).array() += kBend * points.col(1).array().square();
+  lattice.move(points);
+  EXPECT_NEAR(lattice.bending_energy(), 4 * kBend * kBend, 1e-12);
+}
+
 TEST_F(Library, PointsOfAnotherLatticeAreRefused) {
   DeformableLattice lattice = bent("bspline", "reference");
   DeformableLattice other(lattice_around("sphere", cube(), {4, 5, 7}));

@@ -1,10 +1,14 @@
 // A core behind registers, a buffer and an interrupt: the sequence of the device `uio` on a
 // Verilated hwffd_axi, and what it refuses. That core stands behind CoreAccess, not behind
-// /dev/uioN: of the access by Linux's files the reading of folders, the mapping and the refusals
-// are tested, by files of a folder of the test; the interrupt of a real uioN is not.
+// /dev/uioN: of the access by Linux's files the reading of folders, the mapping, the refusals and
+// what is read and written of interrupts are tested, by files of a folder of the test; a real uioN
+// is not.
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/time.h>
 #include <sys/un.h>
 #include <unistd.h>
@@ -41,6 +45,7 @@ struct Board : test::SimulatedCore {
   std::uint32_t wrong_offset = HWFFD_ID_OFFSET;
   std::uint64_t latest_interrupt = kLatestInterrupt;  // 0: no clock passes
   bool interrupt_is_wired = true;
+  int early_interrupts = 0;  // that come before a run has ended
   int interrupts = 0;
 };
 
@@ -67,6 +72,7 @@ class SimulatedAccess final : public CoreAccess {
   }
   void expect_interrupt() override { EXPECT_FALSE(board_.system.interrupt()); }
   bool wait_interrupt(Milliseconds /*patience*/) override {
+    if (board_.early_interrupts > 0) return board_.early_interrupts-- > 0;
     if (!board_.interrupt_within(board_.latest_interrupt)) return false;
     ++board_.interrupts;
     return board_.interrupt_is_wired;
@@ -133,12 +139,20 @@ TEST(UioDevice, GivesTheBitsOfTheModel) {
     EXPECT_EQ(got.positions, expected.positions) << row.name;
     EXPECT_EQ(got.jacobians, expected.jacobians) << row.name;
     compared += few.size();
-    EXPECT_EQ(board.interrupts, 5) << row.name;  // two of the question, one a call
+    const Oracle::Coefficients bspline = Oracle::uniform_bspline();
+    std::vector<SupportedVertex> own;
+    for (const Embedded& at : few) {
+      own.push_back({at.local, moved({6, 5, 4}).support(at.cell)});
+    }
+    const Device::Blending blending{bspline, bspline, bspline};
+    EXPECT_EQ(device.evaluate(own, blending), model->evaluate(own, blending)) << row.name;
+    compared += own.size();
+    EXPECT_EQ(board.interrupts, 6) << row.name;  // two of the question, one a call
     EXPECT_EQ(board.system.faults(), "") << row.name;
     ++rows;
   }
   EXPECT_GE(rows, 2U);
-  EXPECT_EQ(compared, rows * 2300);
+  EXPECT_EQ(compared, rows * 2400);
 }
 
 TEST(UioDevice, MorePacketsThanTheRingHasRoomForGoInSeveralRuns) {
@@ -189,7 +203,30 @@ TEST(UioDevice, TheNextProgramGoesOn) {
   }
   board.address += Board::kBytes;
   board.allow(board.address);
-  EXPECT_NE(refusal([&] { core_of(board); }).find("windows are locked"), std::string::npos);
+  EXPECT_EQ(refusal([&] { core_of(board); }),
+            "uio:0: its windows are locked, and not around the buffer at 0x140200000; reset the "
+            "core");
+  board.address -= Board::kBytes;
+  board.bytes *= 2;
+  EXPECT_EQ(refusal([&] { core_of(board); }),
+            "uio:0: its windows are locked, and not around the buffer at 0x140000000; reset the "
+            "core")
+      << "which has grown";
+}
+
+// An interrupt that another device on the line raised, or that came late.
+TEST(UioDevice, AnInterruptBeforeTheEndOfARunIsWaitedOut) {
+  Board board(fx18());
+  board.early_interrupts = 3;
+  UioCore core = core_of(board);
+  EXPECT_EQ(board.early_interrupts, 0);
+  StreamDevice device("uio:0", *core.row, std::move(core.stream));
+  board.early_interrupts = 2;
+  const std::vector<Embedded> vertices = places(20, {4, 4, 4});
+  EXPECT_EQ(device.evaluate(moved({4, 4, 4}), vertices),
+            make_device({"model", "basic", "fx18"})->evaluate(moved({4, 4, 4}), vertices));
+  EXPECT_EQ(board.early_interrupts, 0);
+  EXPECT_EQ(board.interrupts, 2 + 1);
 }
 
 // A program ends between an error and the look at it, or a bus stops to answer a soft reset: the
@@ -237,6 +274,16 @@ TEST(UioDevice, RefusesInALine) {
             "uio:0: its results are not those of its row");
   EXPECT_EQ(refused([](Board&) {}, &find_configuration("cg1-fx18-overlapped")),
             "uio:0: is not cg1-fx18-overlapped");
+  EXPECT_EQ(refused([](Board& board) {
+              board.wrong_offset = HWFFD_STATUS_OFFSET;
+              board.wrong_bits = HWFFD_STATUS_BUSY_MASK;
+            }),
+            "uio:0: does not come out of a soft reset; reset the core");
+  EXPECT_EQ(refused([](Board& board) {
+              board.wrong_offset = HWFFD_RESULT_COUNT_OFFSET;
+              board.wrong_bits = 1;
+            }),
+            "uio:0: 33 of 32 results came, ERROR_STATUS 0x0");
   EXPECT_EQ(refused([](Board& board) { board.bytes = 65536; }),
             "uio:0: its buffer has 65536 bytes, and 1048576 are needed; give more");
   EXPECT_EQ(refused([](Board& board) { board.address += 16; }),
@@ -249,6 +296,19 @@ TEST(UioDevice, RefusesInALine) {
               board.system.memory.fail_read(1, 0, cores::kAxiSlverr);
             }).substr(0, 50),
             "uio:0: 0 of 32 results came, ERROR_STATUS 0x8000 a");
+}
+
+TEST(UioDevice, APacketThatTheBufferHasNoRoomForIsRefused) {
+  Board board(fx18());
+  board.bytes = 1 << 20;
+  const UioCore core = core_of(board);
+  const std::vector<Beat> packet = vertices_packet(std::vector<VertexBeat>(40'000));
+  EXPECT_EQ(refusal([&] {
+              core.stream->run(
+                  packet, 40'000, [](double) {}, 1);
+            }),
+            "uio:0: its buffer of 1048576 bytes has no room for a packet of 40001 beats and 40000 "
+            "results; give more");
 }
 
 /// Files that this process has open.
@@ -363,6 +423,47 @@ TEST_F(UioFiles, AreMapped) {
             std::string("\1\0\0\0\2\0\0\0\3\0\0\0\4\0\0\0", 16));
 }
 
+// As Linux has it: 4 bytes that are read count interrupts, 4 that are written enable the next one.
+TEST_F(UioFiles, TakeInterruptsByReadingAndWriting) {
+  const std::unique_ptr<CoreAccess> board = access();
+  board->expect_interrupt();  // reads the 1024 of before
+  const std::string one("\1\0\0\0", 4);
+  EXPECT_EQ(read_text(folder_ / "dev/uio3"), std::string(4096, '\1') + one);
+  EXPECT_FALSE(board->wait_interrupt(CoreAccess::Milliseconds(10)));
+  std::ofstream(folder_ / "dev/uio3", std::ios::binary | std::ios::app) << one;
+  EXPECT_TRUE(board->wait_interrupt(CoreAccess::Milliseconds(10)));
+  EXPECT_FALSE(board->wait_interrupt(CoreAccess::Milliseconds(10)));
+}
+
+// A node without an interrupt: Linux refuses what is written.
+TEST_F(UioFiles, WithoutAnInterruptSaySo) {
+  const int registers = memfd_create("uio3", MFD_ALLOW_SEALING);
+  ASSERT_EQ(ftruncate(registers, 4096), 0);
+  ASSERT_EQ(fcntl(registers, F_ADD_SEALS, F_SEAL_GROW), 0);
+  std::filesystem::remove(folder_ / "dev/uio3");
+  std::filesystem::create_symlink("/proc/self/fd/" + std::to_string(registers),
+                                  folder_ / "dev/uio3");
+  const std::unique_ptr<CoreAccess> board = access();
+  EXPECT_EQ(refusal([&] { board->expect_interrupt(); }),
+            "uio:3: takes no interrupts: Operation not permitted; does its node in the device "
+            "tree name one?");
+  close(registers);
+}
+
+TEST_F(UioFiles, WithASmallBufferSayWhoGivesMore) {
+  std::string registers(4096, '\0');
+  const auto set = [&](std::uint32_t offset, std::uint32_t value) {
+    for (std::uint32_t byte = 0; byte < 4; ++byte) {
+      registers[offset + byte] = static_cast<char>(value >> (8 * byte));
+    }
+  };
+  set(HWFFD_ID_OFFSET, HWFFD_ID_RESET);
+  set(HWFFD_VERSION_OFFSET, HWFFD_VERSION_MAJOR_RESET << HWFFD_VERSION_MAJOR_SHIFT);
+  write("dev/uio3", registers);
+  EXPECT_EQ(refusal([&] { uio_core("uio:3", access(), nullptr); }),
+            "uio:3: its buffer has 8192 bytes, and 1048576 are needed; give u-dma-buf more");
+}
+
 TEST_F(UioFiles, ThatAreMissingOrWrongAreNamed) {
   write("uio/uio3/maps/map0/size", "0x800\n");
   EXPECT_EQ(line(), "uio/uio3/maps/map0/size: 2048 bytes; the registers take 4096");
@@ -370,6 +471,8 @@ TEST_F(UioFiles, ThatAreMissingOrWrongAreNamed) {
   EXPECT_EQ(line(), "uio/uio3/maps/map0/size: 4 bytes; the registers take 4096");
   write("uio/uio3/maps/map0/size", "much\n");
   EXPECT_EQ(line(), "uio/uio3/maps/map0/size: 'much' is no number");
+  write("uio/uio3/maps/map0/size", "99999999999999999999\n");
+  EXPECT_EQ(line(), "uio/uio3/maps/map0/size: '99999999999999999999' is no number");
   write("uio/uio3/maps/map0/size", "4096\n");
   write("buffers/udmabuf3/size", "0\n");
   EXPECT_EQ(line(), "buffers/udmabuf3/size: 0 bytes; a buffer has 1 to 2^32");
@@ -377,6 +480,9 @@ TEST_F(UioFiles, ThatAreMissingOrWrongAreNamed) {
   EXPECT_EQ(line(),
             "buffers/udmabuf3/phys_addr: cannot be read; is the buffer in the device tree, "
             "and u-dma-buf loaded?");
+  std::filesystem::remove(folder_ / "dev/uio3");
+  ASSERT_EQ(mkfifo((folder_ / "dev/uio3").c_str(), 0600), 0);
+  EXPECT_EQ(line(), "dev/uio3: its 4096 bytes cannot be mapped: No such device");
   std::filesystem::remove(folder_ / "dev/uio3");
   EXPECT_EQ(line(), "dev/uio3: cannot be opened: No such file or directory");
   std::filesystem::remove_all(folder_ / "uio/uio3");
