@@ -120,7 +120,7 @@ TEST_F(MeshByAssimp, CamerasAndLightsAreDropped) {
 /// The file is named, then what is wrong with it.
 TEST_F(MeshByAssimp, WhatIsRefused) {
   const auto error = [&](const DaeFile& file) {
-    const std::string text = message_of<Error>([&] { load_dae(file); });
+    std::string text = message_of<Error>([&] { load_dae(file); });
     EXPECT_EQ(text.rfind((folder / "a.dae").string() + ": ", 0), 0u) << text;
     return text;
   };

@@ -140,11 +140,13 @@ TEST_F(MeshEdit, PlyCoordinatesOfEveryType) {
   int checked = 0;
   const auto check = [&](const std::string& type, auto value, double too_large) {
     for (const std::string format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
-      SCOPED_TRACE(type + " " + format);
+      SCOPED_TRACE(fmt::format("{} {}", type, format));
       const auto file = [&](auto number) {
-        std::string bytes = "ply\nformat " + format + " 1.0\nelement vertex 1\nproperty " + type +
-                            " x\nproperty uchar y\nproperty char z\nend_header\n";
-        if (format == "ascii") return bytes + std::to_string(number) + " 0 0\n";
+        std::string bytes = fmt::format(
+            "ply\nformat {} 1.0\nelement vertex 1\nproperty {} x\nproperty uchar y\n"
+            "property char z\nend_header\n",
+            format, type);
+        if (format == "ascii") return bytes.append(std::to_string(number)).append(" 0 0\n");
         std::string data(sizeof(number), '\0');
         std::memcpy(data.data(), &number, sizeof(number));
         if (format == "binary_big_endian") std::reverse(data.begin(), data.end());

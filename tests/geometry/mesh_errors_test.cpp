@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -85,8 +86,8 @@ TEST_F(MeshErrors, FaceWithoutItsVertex) {
   expect_part(load_error(folder.write("a.ply", ply_text(kVertices, kList, corners + "3 0 1 7\n"))),
               "a.ply: face 0 refers to vertex 7 of 3; repair the mesh");
   for (const std::string vertex : {"-1", "1.5", "5000000000"}) {
-    expect_part(load_error(folder.write(
-                    "a.ply", ply_text(kVertices, kList, corners + "3 0 1 " + vertex + "\n"))),
+    const std::string faces = fmt::format("{}3 0 1 {}\n", corners, vertex);
+    expect_part(load_error(folder.write("a.ply", ply_text(kVertices, kList, faces))),
                 "a.ply: face 0 refers to vertex ");
   }
 }
@@ -150,7 +151,7 @@ TEST_F(MeshErrors, BrokenOff) {
            {"OFF\n1 1 0\n0 0 zero\n1 0\n", "'zero' is not a number"}}) {
     SCOPED_TRACE(text);
     expect_part(load_error(folder.write("a.off", text)),
-                ": not a mesh that can be read (" + reason + "); " + kAccepted);
+                fmt::format(": not a mesh that can be read ({}); {}", reason, kAccepted));
   }
 }
 
@@ -196,7 +197,7 @@ TEST_F(MeshErrors, BrokenStl) {
 /// Texture coordinates are numbers, and faces have corners.
 TEST_F(MeshErrors, ElementsOfAnObjFile) {
   const std::string no_texture = "texture coordinates are no numbers";
-  for (const auto& [line, reason] : std::vector<std::pair<std::string, std::string>>{
+  for (const auto& [statement, reason] : std::vector<std::pair<std::string, std::string>>{
            {"vt", no_texture},
            {"vt x 0", no_texture},
            {"vt 0 0 .", no_texture},
@@ -204,8 +205,10 @@ TEST_F(MeshErrors, ElementsOfAnObjFile) {
            {"f", "a face without corners"},
            {"l", "a face without corners"},
            {"f -9 1 1", "a face refers to number -9 of 1"}}) {
-    SCOPED_TRACE(line);
-    EXPECT_ERROR_PART(load("v 0 0 0\n" + line + "\n"), "line 2: " + reason);
+    SCOPED_TRACE(statement);
+    const std::string text = "v 0 0 0\n" + statement + "\n";
+    const std::string expected = "line 2: " + reason;
+    EXPECT_ERROR_PART(load(text), expected);
   }
 }
 

@@ -1,6 +1,7 @@
 // What files in the wild look like: each reader takes them, or says why not.
 
 #include <assimp/material.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -159,8 +160,8 @@ TEST_F(MeshFormats, Colours) {
                            "0 1 0 255 128 0\n4 0 1 2 3\n"}};
   for (const std::string type : {"uchar", "float", "int"}) {
     for (const std::string name : {"", "diffuse_"}) {
-      const std::string properties = "property " + type + " " + name + "red\nproperty " + type +
-                                     " " + name + "green\nproperty " + type + " " + name + "blue\n";
+      const std::string properties = fmt::format(
+          "property {0} {1}red\nproperty {0} {1}green\nproperty {0} {1}blue\n", type, name);
       files.push_back({"a.ply", ply(kXyz + properties, kFace,
                                     "0 0 0 255 128 0\n1 0 0 255 128 0\n1 1 0 255 128 0\n"
                                     "0 1 0 255 128 0\n4 0 1 2 3\n")});
@@ -194,7 +195,7 @@ TEST_F(MeshFormats, ColoursUpToOne) {
                                                         {"ushort", "65535 32767.5 0 16383.75"}}) {
     std::string properties = kXyz;
     for (const std::string name : {"red", "green", "blue", "alpha"}) {
-      properties += "property " + type + " " + name + "\n";
+      properties += fmt::format("property {} {}\n", type, name);
     }
     files.push_back({"a.ply", ply(properties, kFace, vertices(colour))});
   }

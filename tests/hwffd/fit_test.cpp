@@ -230,8 +230,8 @@ TEST(Fit, OptionsOutOfRangeAreRefused) {
   };
   FitScene scene;
   const Points before = scene.lattice.deformed().points();
-  for (const auto& [options, text] : refused) {
-    EXPECT_USAGE_ERROR(fit(scene.lattice, scene.points, scene.targets, options), text);
+  for (const auto& row : refused) {
+    EXPECT_USAGE_ERROR(fit(scene.lattice, scene.points, scene.targets, row.first), row.second);
   }
   FitOptions heavy;
   heavy.weights.assign(400, 1e308);
