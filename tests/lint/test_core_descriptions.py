@@ -9,10 +9,11 @@ import re
 import xml.etree.ElementTree as xml
 
 import pytest
+import yaml
 
 from tools.project_root import ROOT
 from tools.rtl import module_header, rtl_sources
-from tools.tables import bender, ip_xact, registers, system_rdl
+from tools.tables import bender, core_file, ip_xact, registers, system_rdl
 
 TABLE = registers.read()
 NAMES = {"ipxact": ip_xact.NAMESPACE}
@@ -20,6 +21,12 @@ NAMES = {"ipxact": ip_xact.NAMESPACE}
 ACCESS = {"const": ("r", None), "ro": ("r", None), "log": ("r", None), "counter": ("r", None), "rw": ("rw", None),
           "w1": ("w", None), "w1s": ("rw", "woset"), "w1c": ("rw", "woclr"), "event": ("rw", "woclr")}
 COMPONENT = xml.parse(ROOT / ip_xact.NAME).getroot()
+
+
+def test_parameters_that_a_target_of_fusesoc_uses_are_there():
+    core = yaml.safe_load((ROOT / core_file.NAME).read_text(encoding="utf-8"))
+    used = [re.search(r"\w+(?=\)?$)", name)[0] for target in core["targets"].values() for name in target["parameters"]]
+    assert set(used) == set(core["parameters"]) and len(used) > 100
 
 
 def read_back(compiler):
