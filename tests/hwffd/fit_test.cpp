@@ -110,25 +110,28 @@ TEST(Fit, EachLossIsWhatItSaysAndForgetsMoreOfOutliers) {
   EXPECT_USAGE_ERROR(parse_loss("joy"), "loss 'joy': give squares, huber, geman-mcclure");
 }
 
-/// Of two more points one is outside, the other one has no weight.
+/// Of two more points one is outside, wherever that goes; the other one has no weight.
 TEST(Fit, PointsOutsideOrWithoutWeightCountInNoSum) {
   FitScene plain;
   const FitResult expected = fit(plain.lattice, plain.points, plain.targets);
-  FitScene more;
-  const Eigen::RowVector3d moves(0.3, 0.4, 1.2);
-  for (Points* points : {&more.points, &more.targets}) points->conservativeResize(402, 3);
-  more.points.bottomRows(2) << 90, 0, 0, more.points.row(7);
-  more.targets.bottomRows(2) = more.points.bottomRows(2).rowwise() + moves;
-  FitOptions options;
-  options.weights.assign(401, 2.5);
-  options.weights.push_back(0);
-  const FitResult result = fit(more.lattice, more.points, more.targets, options);
-  EXPECT_EQ(more.lattice.deformed().points(), plain.lattice.deformed().points());
-  EXPECT_EQ(result.rms_end, expected.rms_end);
-  EXPECT_EQ(result.largest, expected.largest);
-  EXPECT_EQ(result.outside, 1U);
-  EXPECT_NEAR(result.distances[400], 1.3, 1e-12) << "which stays";
-  EXPECT_GT(result.distances[401], result.largest);
+  for (const char* outside : {"keep", "clamp"}) {
+    FitScene more;
+    more.lattice.set_outside(outside);
+    const Eigen::RowVector3d moves(0.3, 0.4, 1.2);
+    for (Points* points : {&more.points, &more.targets}) points->conservativeResize(402, 3);
+    more.points.bottomRows(2) << 90, 0, 0, more.points.row(7);
+    more.targets.bottomRows(2) = more.points.bottomRows(2).rowwise() + moves;
+    FitOptions options;
+    options.weights.assign(401, 2.5);
+    options.weights.push_back(0);
+    const FitResult result = fit(more.lattice, more.points, more.targets, options);
+    EXPECT_EQ(more.lattice.deformed().points(), plain.lattice.deformed().points()) << outside;
+    EXPECT_EQ(result.rms_end, expected.rms_end) << outside;
+    EXPECT_EQ(result.largest, expected.largest) << outside;
+    EXPECT_EQ(result.outside, 1U) << outside;
+    EXPECT_NEAR(result.distances[400], 1.3, 1e-12) << outside << ": as at rest";
+    EXPECT_GT(result.distances[401], result.largest) << outside;
+  }
 }
 
 TEST(Fit, JointsStayClosed) {

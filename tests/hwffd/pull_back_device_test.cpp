@@ -108,6 +108,11 @@ TEST_F(PullBackDevice, TheSimulatedCoreHasTheBitsOfTheModel) {
   EXPECT_EQ(core->counts().saturated, 0U);
   EXPECT_GE(core->counts().clocks, 3 * kCount);
   EXPECT_LT(core->counts().clocks, 3 * kCount + 10'000);
+  const Grid grid = grid_between({0, 0.5, 0}, {3, 2, 4}, {9, 4, 6});
+  const Points of_grid = scene.gradient.topRows(9 * 4 * 6);
+  EXPECT_EQ(core->pull_back_grid(dims, grid, of_grid),
+            core->pull_back(dims, places_of(grid, {3, 2, 4}), of_grid))
+      << "place by place";
 }
 
 // In pages that share layers of points, each with the vertices of its cells.
