@@ -201,17 +201,20 @@ TEST(UioDevice, TheNextProgramGoesOn) {
     board.latest_interrupt = Board::kLatestInterrupt;
     EXPECT_EQ(device.evaluate(lattice, vertices), expected);
   }
-  board.address += Board::kBytes;
-  board.allow(board.address);
-  EXPECT_EQ(refusal([&] { core_of(board); }),
-            "uio:0: its windows are locked, and not around the buffer at 0x140200000; reset the "
-            "core");
-  board.address -= Board::kBytes;
-  board.bytes *= 2;
-  EXPECT_EQ(refusal([&] { core_of(board); }),
-            "uio:0: its windows are locked, and not around the buffer at 0x140000000; reset the "
-            "core")
-      << "which has grown";
+  const auto refused_at = [&](std::uint64_t address, std::uint64_t bytes) {
+    board.address = address;
+    board.bytes = bytes;
+    return refusal([&] { core_of(board); });
+  };
+  const auto text = [](const std::string& address) {
+    return "uio:0: its windows are locked, and not around the buffer at " + address +
+           "; reset the core";
+  };
+  constexpr std::uint64_t kHalf = Board::kBytes / 2;
+  EXPECT_EQ(refused_at(Board::kAddress + Board::kBytes, kHalf), text("0x140200000"));
+  EXPECT_EQ(refused_at(Board::kAddress - kHalf, Board::kBytes), text("0x13ff00000"));
+  EXPECT_EQ(refused_at(Board::kAddress, Board::kBytes + kHalf), text("0x140000000"));
+  EXPECT_EQ(refused_at(Board::kAddress + kHalf, kHalf), "nothing was refused") << "inside them";
 }
 
 // An interrupt that another device on the line raised, or that came late.
@@ -316,18 +319,24 @@ std::ptrdiff_t open_files() {
   return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {});
 }
 
+/// Listens at a path, for one program.
+int listen_at(const std::string& path) {
+  sockaddr_un place{};
+  place.sun_family = AF_UNIX;
+  EXPECT_LT(path.size(), sizeof(place.sun_path));
+  path.copy(place.sun_path, sizeof(place.sun_path) - 1);
+  const int listening = socket(AF_UNIX, SOCK_STREAM, 0);
+  EXPECT_EQ(bind(listening, reinterpret_cast<const sockaddr*>(&place), sizeof(place)), 0);
+  EXPECT_EQ(listen(listening, 1), 0);
+  return listening;
+}
+
 // A process that listens, and ends before it says what it serves.
 TEST(SocketAccess, ThatFailsLeavesNoSocketOpen) {
   const TempFolder folder;
   const std::string path = folder / "core";
-  sockaddr_un place{};
-  place.sun_family = AF_UNIX;
-  ASSERT_LT(path.size(), sizeof(place.sun_path));
-  path.copy(place.sun_path, path.size());
   const std::ptrdiff_t before = open_files();
-  const int listening = socket(AF_UNIX, SOCK_STREAM, 0);
-  ASSERT_EQ(bind(listening, reinterpret_cast<const sockaddr*>(&place), sizeof(place)), 0);
-  ASSERT_EQ(listen(listening, 1), 0);
+  const int listening = listen_at(path);
   std::thread process([listening] {
     close(accept(listening, nullptr, nullptr));
     close(listening);
@@ -336,6 +345,32 @@ TEST(SocketAccess, ThatFailsLeavesNoSocketOpen) {
             "socket:" + path + ": the process that serves the core has ended");
   process.join();
   EXPECT_EQ(open_files(), before);
+}
+
+TEST(SocketAccess, WithASmallBufferSaysWhoGivesMore) {
+  const TempFolder folder;
+  const std::string path = folder / "core";
+  const int listening = listen_at(path);
+  std::thread process([listening] {
+    const int client = accept(listening, nullptr, nullptr);
+    const std::array<std::uint64_t, 2> buffer{0x40000000, 8192};
+    EXPECT_EQ(send(client, &buffer, sizeof(buffer), 0), 16);
+    CoreRequest request{};
+    while (recv(client, &request, sizeof(request), MSG_WAITALL) == sizeof(request)) {
+      const std::uint32_t value = request.offset == HWFFD_ID_OFFSET ? HWFFD_ID_RESET
+                                  : request.offset == HWFFD_VERSION_OFFSET
+                                      ? HWFFD_VERSION_MAJOR_RESET << HWFFD_VERSION_MAJOR_SHIFT
+                                      : 0;
+      EXPECT_EQ(request.kind, CoreRequest::kRead);
+      EXPECT_EQ(send(client, &value, sizeof(value), 0), 4);
+    }
+    close(client);
+    close(listening);
+  });
+  EXPECT_EQ(refusal([&] { uio_core("socket:x", socket_access(path), nullptr); }),
+            "socket:x: its buffer has 8192 bytes, and 1048576 are needed; start the process that "
+            "serves the core with more");
+  process.join();
 }
 
 /// A timer's signals, a few milliseconds apart, which end every call that waits.
