@@ -133,7 +133,7 @@ TEST(CApi, ADeviceIsNamedWithItsOrganizationAndFormat) {
 TEST(CApi, BitsDoNotDependOnThreads) {
   const Lattice lattice = ball();
   ASSERT_EQ(hwffd_lattice_deform(lattice.get(), "twist:90"), HWFFD_OK);
-  constexpr std::size_t kCount = 30'000;
+  constexpr std::size_t kCount = 17'000;
   std::vector<double> points(3 * kCount);
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i] = static_cast<double>(i * 7919 % 1000) / 1000 - 0.5;
