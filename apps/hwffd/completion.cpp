@@ -23,7 +23,7 @@ constexpr const char* kCompletionExamples = R"(Examples:
   hwffd completion bash > ~/.local/share/bash-completion/completions/hwffd
   hwffd completion zsh > ~/.zfunc/_hwffd      (a folder of $fpath)
   hwffd completion fish > ~/.config/fish/completions/hwffd.fish
-make install and packages put these files where the shells look.)";
+make hwffd PREFIX=FOLDER and packages put these files where the shells look.)";
 
 using Words = std::vector<std::string>;
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kExamples = R"(Examples:
   hwffd manual | man -l -
-make install and packages put it where man looks.)";
+make hwffd PREFIX=FOLDER and packages put it where man looks.)";
 
 /// A text in the language of man: what begins its lines or follows a backslash has a meaning.
 std::string troff(const std::string& text) {

@@ -85,7 +85,7 @@ TEST(Conversion, OnlyTowardsFamiliesThatSpanTheCubics) {
 
 struct Bound {
   const char* format;
-  double difference;  ///< the bounds of both families, docs/numerics.md section 8
+  double difference;  ///< the limits of both families together
 };
 void PrintTo(const Bound& bound, std::ostream* out) { *out << bound.format; }
 

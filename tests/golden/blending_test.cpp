@@ -219,7 +219,7 @@ TEST(Families, NeighboursAgreeOnTheirFaceAtTheStride) {
   EXPECT_EQ(differ, 0);
 }
 
-/// Bounds of docs/numerics.md section 8: of a weight, of the sum of the four, of a component.
+/// Limits set over what was measured: of a weight, of the sum of the four, of a component.
 struct FamilyBound {
   const char* family;
   const char* format;

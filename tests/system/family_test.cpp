@@ -32,7 +32,7 @@ constexpr std::array<Case, 6> kCases{{
     {"turned", {"catmull-rom", "constant", "hermite"}},
 }};
 
-/// Largest error of a component, points in [-1/2, 1/2); docs/numerics.md section 8.
+/// Largest error of a component, points in [-1/2, 1/2), set over what was measured.
 double bound(const Configuration& row) {
   static const std::map<std::string, double> bounds{
       {"fp32", 5e-7}, {"fx17", 2.8e-4}, {"fx18", 1.4e-4}, {"fx32", 7e-9}, {"bfp32", 4e-8}};

@@ -21,6 +21,22 @@ double formula(const Configuration& row) {
   return std::max(static_cast<double>(kVertexBeats), expected_interval(row));
 }
 
+/// Clocks from the last control point of a single vertex to its result, by section 4 of
+/// docs/datasheet.md: at least so many, and less than a step more. Of `basic` without fused units.
+std::uint64_t formula_of_latency(const Configuration& row, std::uint64_t step) {
+  const auto mul = static_cast<std::uint64_t>(row.mul_latency);
+  const auto add = static_cast<std::uint64_t>(row.add_latency);
+  const auto convert = static_cast<std::uint64_t>(row.convert_latency);
+  const std::string format = row.format;
+  const bool iterative = row.evaluator == std::string("iterative");
+  const std::uint64_t loop = mul + add + (iterative && (mul + add) % 3 == 0 ? 1 : 0);
+  const std::uint64_t read = !overlaps(row) ? 0 : iterative ? 2 : 1;
+  const std::uint64_t contexts = overlaps(row) ? (add + step - 1) / step : 1;
+  const std::uint64_t in = format == "fp32" ? 1 : format == "bfp32" ? 4 : 2;
+  const std::uint64_t out = format == "bfp32" ? 3 : format == "fp32" || convert == 0 ? 0 : 1;
+  return 63 * contexts * step + read + 3 * loop + convert + 3 * mul + add + convert + in + out + 12;
+}
+
 class Throughput : public PerConfiguration {};
 
 TEST_P(Throughput, ClocksPerVertexWhileTheSourceKeepsUp) {
@@ -61,6 +77,11 @@ TEST_P(Throughput, LatencyOfASingleVertex) {
   std::printf("latency %llu clocks\n", static_cast<unsigned long long>(latency));
   EXPECT_LE(static_cast<double>(latency), most);
   EXPECT_GE(static_cast<double>(latency), least);
+  if (row.org == std::string("basic") && row.fma_latency == 0) {
+    const auto step = static_cast<std::uint64_t>(interval / 64);
+    EXPECT_GE(latency, formula_of_latency(row, step));
+    EXPECT_LT(latency, formula_of_latency(row, step) + step);
+  }
 }
 
 // Each packet of a vertex by itself, in a core that is idle; the bench sees whether it says so too

@@ -87,7 +87,8 @@ int hwffd_lattice_deform(hwffd_lattice* lattice, const char* deformation);
  * or one that a process serves, "socket:PATH" (docs/hwffd.md).
  * @param organization  "basic" (at first), "cg3", "factored/3", ..., or a row of `hwffd info`;
  * NULL: as at first, or what the board has
- * @param format        "fp32" (at first), "bfp32", "fx18", "fx32"; NULL: as at first, or as the row
+ * @param format        "fp32" (at first), "bfp32", "fx16", "fx17", "fx18", "fx32"; NULL: as at
+ * first, or as the row
  */
 int hwffd_lattice_device(hwffd_lattice* lattice, const char* device, const char* organization,
                          const char* format);

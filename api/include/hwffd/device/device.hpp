@@ -81,9 +81,9 @@ class Device {
   /// the same, bit for bit, for vertices in any order and any number of threads.
   ///
   /// `reference` adds in double (pull_back_in). `model` adds whole numbers, as the core
-  /// `hwffd_scatter` does (numerics.md section 11), and only rows of `affine` with words of 12 to
-  /// 18 bits have it. Of simulated hardware only the device of make_pull_back_device("rtl") has it,
-  /// with the bits of that model.
+  /// `hwffd_scatter` does (numerics.md section 11), and only rows of `affine` and its relatives
+  /// with words of 12 to 18 bits have it. Of simulated hardware only the device of
+  /// make_pull_back_device("rtl") has it, with the bits of that model.
   /// @param vertices  local coordinates in [0, 1]; hardware clamps others
   /// @throws Error from a device that has it not, for another number of gradients, a gradient that
   ///   is not finite, a sum that is not, and as evaluate()
@@ -160,7 +160,8 @@ struct DeviceChoice {
   /// one of device_rows(), such as basic-fp32-overlapped-fmac. Empty for basic, or for what the
   /// board has as it comes.
   std::string org = "";
-  /// Of the same: fp32, bfp32, fx18 or fx32; empty for fp32, or what a row named by `org` has.
+  /// Of the same: fp32, bfp32, or fx and a number of bits, such as fx18; empty for fp32, or what a
+  /// row named by `org` has.
   std::string format = "";
   /// Of a model: lattices that its core keeps behind opcodes 5 to 7, 1 to 256; 0: a core without
   /// pages, as those of `rtl` are.
