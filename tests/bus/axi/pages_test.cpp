@@ -7,6 +7,7 @@
 #include "Vaxi_pages.h"
 #include "axi_run.hpp"
 #include "bad_pages.hpp"
+#include "errors.hpp"
 #include "hwffd/cores/verilated_axi_core.hpp"
 #include "hwffd/stream/blending.hpp"
 #include "hwffd/stream/spans.hpp"
@@ -23,17 +24,6 @@ const PageCore kCore{
 AxiRun make_run(std::uint64_t seed, const std::string& throttles) {
   return {find_configuration("cg1-fx18-overlapped"),
           std::make_unique<cores::VerilatedAxiCore<Vaxi_pages>>(seed), seed, throttles, kCore};
-}
-
-/// What the driver says of a packet; empty: it may be sent.
-template <class Make>
-std::string complaint(const Make& make) {
-  try {
-    make();
-  } catch (const DriverError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 class AxiPages : public ::testing::Test {
@@ -164,7 +154,7 @@ TEST_F(AxiPages, ASpanBeyondTheTable) {
   run_.send_scene(3, 6);
   auto beyond = spans_packets(0, 15, random_spans(run_.codec(), run_.random(), 1));
   beyond[0].words[1] = 2;
-  EXPECT_EQ(complaint([&] { run_.driver().check(beyond[0].words); }),
+  EXPECT_EQ(message_of<DriverError>([&] { run_.driver().check(beyond[0].words); }),
             "functions of 17 spans: this core has 16; send fewer, or build with SPANS");
   run_.send(beyond);
   run_.send_vertices(3);
@@ -242,22 +232,22 @@ TEST_F(AxiPages, TheDriverMakesWhatTheCoreTakes) {
   ASSERT_TRUE(run_.go());
   EXPECT_EQ(run_.checked(), 8U);
   expect_events_of_the_model();
-  EXPECT_EQ(complaint([&] { driver.page(4, plain); }),
+  EXPECT_EQ(message_of<DriverError>([&] { driver.page(4, plain); }),
             "page 4: this core has 4, from 0 on; use one of them, or build with PAGES");
-  EXPECT_EQ(complaint([&] { driver.points(9, plain, 0, 1); }),
+  EXPECT_EQ(message_of<DriverError>([&] { driver.points(9, plain, 0, 1); }),
             "page 9: this core has 4, from 0 on; use one of them, or build with PAGES");
   const LatticeWords longer = random_lattice(run_.codec(), run_.random(), {4, 17, 4});
-  EXPECT_EQ(complaint([&] { driver.page(0, longer); }),
+  EXPECT_EQ(message_of<DriverError>([&] { driver.page(0, longer); }),
             "17 points along axis t: this core takes 4 to 16; make the lattice smaller, or build "
             "with AXIS");
   PageVertices large;
   large.large = true;
-  EXPECT_EQ(complaint([&] { driver.page_vertices(0, some, large); }),
+  EXPECT_EQ(message_of<DriverError>([&] { driver.page_vertices(0, some, large); }),
             "this core has no large lattices: cut the lattice into pages, or build it with "
             "AXIS above 32");
   auto far = some;
   far[2].cell[1] = 16;
-  EXPECT_EQ(complaint([&] { driver.page_vertices(0, far); }),
+  EXPECT_EQ(message_of<DriverError>([&] { driver.page_vertices(0, far); }),
             "vertex 2: cell 16 along axis t: 0 to 15 can be said to this core; cut the lattice "
             "into pages, or build with AXIS");
   EXPECT_TRUE(run_.clean());
