@@ -23,7 +23,7 @@ class BoundsError(Exception):
 def require(*programs):
     absent = [name for name in programs if not shutil.which(name)]
     if absent:
-        raise BoundsError(f"not found: {', '.join(absent)} (run tools/install bounds)")
+        raise BoundsError(f"not found: {', '.join(absent)} (make -C lab bounds installs them)")
 
 
 def gappa(script, *options):

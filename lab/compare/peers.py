@@ -133,7 +133,7 @@ class Peer:
             return f"{self.package} {importlib.metadata.version(self.package)}, {self.called}"
         except importlib.metadata.PackageNotFoundError:
             raise PeerError(f"{self.package} is not in build/venv: "
-                            "run tools/install compare") from None
+                            "make compare installs it") from None
 
 
 PEERS = (

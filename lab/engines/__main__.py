@@ -1,4 +1,4 @@
-"""make -C lab engines: the recorded commands through engines that share no line of code, and what X does there.
+"""make -C lab engines: the recorded commands through simulators of others, and what X does there.
 
     python3 -m lab.engines [--row ROW ...] [--beats N] [--programs FOLDER] [--output FOLDER]
 

@@ -61,7 +61,7 @@ def show(options):
         if drawn:
             print("drew " + ", ".join(str(path.relative_to(options.root)) for path in drawn))
     except ImportError as error:
-        print(f"no pictures: {error}: run tools/install figures", file=sys.stderr)
+        print(f"no pictures: {error}: make -C lab figures installs what draws", file=sys.stderr)
     except (results.Missing, results.RequestError) as error:  # of another report that a picture needs
         print(f"no pictures: {error}", file=sys.stderr)
     return 0

@@ -7,7 +7,7 @@
 Runs tests that take their traffic from a seed (traffic.csv), one seed after the other, each with all
 kinds, to the end of the seed in which the time is over, or of several where the kinds are fewer than the
 jobs; first the seeds of the corpus, those that once found a fault. A seed that finds one is added to
-the corpus. The seeds go on where the last run ended, build/soak/next.json, and a soak that was
+the corpus. The seeds go on where the last run ended, build/lab/soak/next.json, and a soak that was
 interrupted goes on with the hours and counts that it had.
 Writes FOLDER/reports/soak.json. The exit status is 1 where a test failed or nothing was run. A part is a
 seed with all kinds, run anywhere; joined, parts are the report, and faults come into the corpus.

@@ -1,7 +1,5 @@
 // The units of an organization and when they are busy, of a step alone, as its row's latencies say.
 // tests/evaluator/lanes_test.cpp has the probes of the RTL, of the rows that a build has.
-#include "hwffd/cores/lanes.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "hwffd/cores/lanes.hpp"
 
 namespace hwffd::test {
 namespace {

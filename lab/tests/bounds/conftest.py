@@ -14,7 +14,7 @@ def pytest_collection_modifyitems(items):
         for mark in item.iter_markers("needs"):
             for program in mark.args:
                 if not shutil.which(program):
-                    item.add_marker(pytest.mark.skip(reason=f"no {program}: tools/install bounds"))
+                    item.add_marker(pytest.mark.skip(reason=f"no {program}: make -C lab bounds installs it"))
 
 
 def pytest_configure(config):
