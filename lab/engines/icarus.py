@@ -51,11 +51,12 @@ def result_of(output):
 
 
 def _key(bench, folder):
-    """Of sources, headers, parameters, and what the bench reads in its folder."""
+    """Of the simulator, sources, headers, parameters, and what the bench reads in its folder."""
     read = [*bench.files, *(path for include in bench.includes
                             for path in sorted(pathlib.Path(include).glob("*.vh"))),
             *sorted(pathlib.Path(folder).glob("*.hex"))]
-    return digest.of(*bench.tops, *map(str, sorted(bench.parameters.items())), *bench.macros,
+    simulator = rtl_sources.run(["iverilog", "-V"], folder)[1].partition("\n")[0]
+    return digest.of(simulator, *bench.tops, *map(str, sorted(bench.parameters.items())), *bench.macros,
                      *(pathlib.Path(path).read_text(encoding="utf-8") for path in read))
 
 

@@ -47,7 +47,7 @@ class Outcome:
 
 
 def run_round(turn, build, folder):
-    """Runs a round. A program that ends without its report has failed, whatever it was at."""
+    """Runs a round. A program that ends without its report, or badly, has failed, whatever it was at."""
     stem = folder / f"{turn.kind.name}-{turn.seed}"
     log, report = stem.with_suffix(".log"), stem.with_suffix(".json")
     report.unlink(missing_ok=True)
@@ -72,6 +72,8 @@ def _outcome(turn, log, report, status):
     failed = tuple(f"{case['classname']}.{case['name']}" for case in cases if case.get("failures"))
     if not cases:
         failed = ("no end" if status is None else f"no report, exit status {status}",)
+    elif not failed and status != 0:  # what fails outside of its tests
+        failed = ("no end" if status is None else f"exit status {status}",)
     results, clocks = (sum(int(number) for number in re.findall(rf"(\d+) {unit}\b", text))
                        for unit in ("results", "clocks"))
     report.unlink(missing_ok=True)

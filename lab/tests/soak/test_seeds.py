@@ -22,6 +22,7 @@ case = {"classname": "Few", "name": "Lines", "status": "RUN", **({"failures": [{
 json.dump({"testsuites": [{"testsuite": [case]}]}, open(path, "w"))
 print("small: 1 seeds, 5 results, 70 clocks")
 time.sleep(0.02)
+sys.exit(seed == ENDS)
 """
 
 
@@ -31,10 +32,10 @@ def _build(tmp_path):
     return tmp_path
 
 
-def program(build, fails=-1, breaks=-1):
+def program(build, fails=-1, breaks=-1, ends=-1):
     path = build / "product" / "tests" / "bus" / "dma" / "dma_test"
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(PROGRAM.replace("FAILS", str(fails)).replace("BREAKS", str(breaks)))
+    path.write_text(PROGRAM.replace("FAILS", str(fails)).replace("BREAKS", str(breaks)).replace("ENDS", str(ends)))
     path.chmod(0o755)
 
 
@@ -99,7 +100,7 @@ def test_what_another_program_counted_is_not_taken_over(build):
     assert result.returncode == 0 and report["hours"] < 1 and report["rows"][0]["seeds"] == 1
 
 
-@pytest.mark.parametrize("fault", ["fails", "breaks"])
+@pytest.mark.parametrize("fault", ["fails", "breaks", "ends"])
 def test_a_seed_that_finds_a_fault_is_kept_and_runs_first(build, fault):
     program(build, **{fault: 1016})
     result, report = soak(build, 0.0002)
