@@ -46,6 +46,9 @@ def run(proving, wanted, jobs):
     for prop in wanted:
         try:
             files[prop] = [] if proving.result(prop) else proving.files(prop)
+            for path in files[prop]:
+                if not path.with_suffix(".seconds").is_file():  # of a run that was broken off
+                    path.unlink(missing_ok=True)
         except proofs.ProofError as error:
             failed[prop] = str(error)
     complaints = engine.run(proving.root, "formal", files, jobs, (f"limit={proving.limit}",), "properties",

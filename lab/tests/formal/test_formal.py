@@ -121,6 +121,16 @@ def test_proved_by_either_method_and_kept(checkout, table, formal, report):
         ".said", ".seconds", ".log"}
 
 
+def test_a_proof_that_was_broken_off_is_made_again(checkout, table, formal):
+    table(GOOD)
+    assert formal()[0] == 0
+    (said,) = (checkout.root / "build/formal").glob("*.proof.said")
+    said.write_text("")
+    said.with_suffix(".seconds").unlink()
+    status, lines, errors = formal()
+    assert (status, errors) == (0, []) and "formal: 1 properties, 0 of them unchanged" in lines, lines
+
+
 def test_a_module_of_the_harness_takes_the_place_of_its_namesake(checkout, table, formal, report):
     """As tokens take that of arithmetic: with another counter behind the one under proof it is refuted."""
     inner = "module ffd_stream_most (output wire [3:0] most_o);\n  assign most_o = 4'd{};\nendmodule\n"
