@@ -70,10 +70,8 @@ def _outcome(turn, log, report, status):
     suites = json.loads(report.read_text())["testsuites"] if report.exists() else []
     cases = [case for suite in suites for case in suite["testsuite"] if case["status"] == "RUN"]
     failed = tuple(f"{case['classname']}.{case['name']}" for case in cases if case.get("failures"))
-    if not cases:
-        failed = ("no end" if status is None else f"no report, exit status {status}",)
-    elif not failed and status != 0:  # what fails outside of its tests
-        failed = ("no end" if status is None else f"exit status {status}",)
+    if not failed and (not cases or status != 0):  # what fails outside of its tests
+        failed = ("no end" if status is None else f"{'' if cases else 'no report, '}exit status {status}",)
     results, clocks = (sum(int(number) for number in re.findall(rf"(\d+) {unit}\b", text))
                        for unit in ("results", "clocks"))
     report.unlink(missing_ok=True)

@@ -235,7 +235,8 @@ THEOREMS = (
             _steps(), note="products shared"),
     Theorem("num.scale", "weight x 2^shift, saturated and flagged.", _W,
             Bug("ffd_num_scale", "shift_i > 2'd2 && lost[0]", "1'b0"), _cases("ffd_num_scale", scale, FORMATS, (0, 1, 2))),
-    Theorem("num.narrow", "sum x 2^-SHIFT, rounded half up once, saturated and flagged.", f"{_W}, SHIFT 0 and 2; of three formats SHIFT 0 to 7",
+    Theorem("num.narrow", "sum x 2^-SHIFT, rounded half up once, saturated and flagged.",
+            f"{_W}, SHIFT 0 and 2; of three formats SHIFT 0 to 7",
             Bug("ffd_fx_narrow", "late_flags[0] | saturated", "saturated"),
             tuple(case for shift in _SHIFTS
                   for case in _cases("ffd_num_narrow", narrow, FORMATS if shift in (0, 2) else ALL_LATENCIES,

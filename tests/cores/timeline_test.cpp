@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -13,13 +14,11 @@
 namespace hwffd::test {
 namespace {
 
-using Clocks = std::vector<std::uint64_t>;
-
 /// What the probes show of one step, and what follows.
 struct Shown {
   const char* row;
   std::uint64_t polynomial;
-  Clocks combinations;  ///< empty: no generator
+  std::optional<std::uint64_t> combination;  ///< where there is a generator of these
   std::uint64_t step, sum, result;
   std::vector<std::string> lanes;  ///< when each begins and ends, and its name
 };
@@ -28,7 +27,7 @@ void PrintTo(const Shown& shown, std::ostream* out) { *out << shown.row; }
 cores::Schedule schedule_of(const Shown& shown) {
   cores::Schedule schedule;
   schedule.polynomials = {{shown.polynomial, 0}};
-  if (!shown.combinations.empty()) schedule.combinations = {{shown.combinations.front(), 0}};
+  if (shown.combination) schedule.combinations = {{*shown.combination, 0}};
   schedule.steps = {{shown.step, 0}};
   schedule.sums = {shown.sum};
   schedule.results = {{shown.result, 0}};
@@ -62,7 +61,7 @@ TEST_P(Lanes, AProbeThatIsAClockLateDoesNotFit) {
 const Shown kShown[] = {
     {"cg1-fx18-overlapped",
      4,
-     {53},
+     53,
      54,
      60,
      124,
@@ -70,7 +69,7 @@ const Shown kShown[] = {
       "56 58 weight products (BB) B", "58 60 3 products (BBB) P", "60 61 3 accumulators"}},
     {"tree8-fx18-overlapped",
      2,
-     {},
+     std::nullopt,
      13,
      22,
      30,
@@ -79,7 +78,7 @@ const Shown kShown[] = {
       "21 22 3 adders of the tree", "22 23 3 accumulators"}},
     {"parallel-fx18-overlapped",
      1,
-     {},
+     std::nullopt,
      12,
      24,
      24,
@@ -89,7 +88,7 @@ const Shown kShown[] = {
       "23 24 3 adders of the tree"}},
     {"tree4-fp32-paper-fmac",
      2,
-     {},
+     std::nullopt,
      5,
      10,
      131,
@@ -98,7 +97,7 @@ const Shown kShown[] = {
       "10 11 3 accumulators"}},
     {"basic-fp32-paper-fmac",
      2,
-     {},
+     std::nullopt,
      5,
      7,
      7,
@@ -106,7 +105,7 @@ const Shown kShown[] = {
       "7 8 3 accumulators"}},
     {"factored3-fx18-overlapped",
      1,
-     {},
+     std::nullopt,
      17,
      40,
      42,
@@ -117,7 +116,7 @@ const Shown kShown[] = {
       "34 38 4 products along s", "38 39 2 adders along s", "39 40 1 adder along s"}},
     {"jacobian3-fx17-overlapped",
      1,
-     {},
+     std::nullopt,
      16,
      42,
      44,
@@ -129,7 +128,7 @@ const Shown kShown[] = {
       "36 40 12 products along s", "40 41 8 adders along s", "41 42 4 adders along s"}},
     {"walk-fx17-overlapped",
      4,
-     {},
+     std::nullopt,
      19,
      39,
      61,

@@ -95,7 +95,6 @@ def text(root):
     """What hwffd.core must be."""
     sources = rtl_sources.Sources(root)
     stream, axi = (module_header.parameters(sources, top) for top in TOPS)
-    both = [name for name in axi if name in stream]  # without those that tops which have an hwffd_stream inside give it
     of_org = module_header.of_org(sources, TOPS[1])
     row = configurations.read(root / "rtl" / "configurations.csv")[0].parameters
     parameters = []
@@ -106,7 +105,8 @@ def text(root):
     return _TEXT.format(
         generated=GENERATED, version=version.read(root), simulation=rtl_sources.SIMULATION,
         rtl="\n".join(_rtl_lines(root)), example="\n".join(_example_lines()),
-        used="\n".join(f"      - {name}" if name in both else f'      - "axi? ({name})"'
+        used="\n".join(f"      - {name}" if name in stream else f'      - "axi? ({name})"'
                        for name in axi),
-        used_stream="\n".join(f"      - {name}" for name in both),
+        # Without those that tops which have an hwffd_stream inside give it.
+        used_stream="\n".join(f"      - {name}" for name in axi if name in stream),
         parameters="\n".join(parameters))
