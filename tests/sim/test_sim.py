@@ -22,7 +22,7 @@ REFUSED = {
     ("--model", "comment.obj"): (FAILURE, "comment.obj", "accepted are obj, ply"),
     ("--model", "folder"): (FAILURE, "folder", "no such file"),
     ("--model", "./folder"): (FAILURE, "./folder", "not a file", "accepted are obj, ply"),
-    ("--format", "foo"): (USAGE, "FORMAT=foo", "fp32, fx17, fx18, fx32"),
+    ("--format", "foo"): (USAGE, "FORMAT=foo", "known here: ", "fp32", "fx17, fx18, fx32"),
     ("--deform", "foo"): (USAGE, "'foo'", "none, twist, helix, shear"),
     ("--deform", "twist:abc"): (USAGE, "'twist:abc'", "not DEGREES", "DEGREES:AXIS"),
     ("--deform", "twist:inf"): (USAGE, "'twist:inf'", "not DEGREES"),
