@@ -203,11 +203,12 @@ TYPED_TEST(ScatterCore, SumsBeyondAWordSaturate) {
   constexpr int kWhole = (1 << (32 - TypeParam::kWidth)) + 600;
   constexpr int kVertices = kPowers ? kWhole / 8 * 27 : kWhole;
   this->load(0, {"constant", "constant", "constant"});
-  this->bench_.resize(0, {TypeParam::kAxis, TypeParam::kAxis, TypeParam::kAxis});
   auto vertex = this->bench_.draw(0);
   vertex.bank = 0;
   for (const int shift : {0, 1}) {  // halved they fit, where there is time to send them again
     if (shift == 1 && (kNarrow || kPowers)) break;
+    // A page that was collected has another size.
+    this->bench_.resize(0, {TypeParam::kAxis, TypeParam::kAxis, TypeParam::kAxis});
     for (int c = 0; c < 3; ++c) {
       vertex.words = {{0, 0, 0}, {4 * c, 4 * c, 4 * c}, {0, 0, 0}, -1};
       vertex.words.gradient[c] = c == 1 ? 0x7FFF0000 : 0x80000000;
