@@ -12,7 +12,7 @@ const Design& design_of(const Configuration& row) {
 }
 
 int read_latency_of(const Configuration& row) {
-  return row.mul_latency < 2 ? 2 : row.n == 1 ? 4 : row.n == 64 ? 3 : 2;
+  return row.mul_latency < 2 ? 2 : row.n == 1 ? 4 : row.n >= 32 ? 3 : 2;
 }
 
 }  // namespace hwffd::web
