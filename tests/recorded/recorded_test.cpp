@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 
 #include "hwffd/cores/evaluator_core_factory.hpp"
+#include "hwffd/cores/stream_core_factory.hpp"
 #include "hwffd/tb/evaluator_bench.hpp"
 #include "replay.hpp"
 #include "system_run.hpp"
@@ -31,11 +33,8 @@ Recording recorded(const std::string& kind, const Configuration& row) {
 
 /// A build of all tiers has rows, and formats, that are not recorded.
 std::vector<Configuration> recorded_and_built() {
-  std::set<std::string> built;
-  for (const Configuration& row : built_configurations()) built.insert(row.name);
   std::vector<Configuration> rows = recorded_rows();
-  rows.erase(std::remove_if(rows.begin(), rows.end(),
-                            [&](const Configuration& row) { return built.count(row.name) == 0; }),
+  rows.erase(std::remove_if(rows.begin(), rows.end(), std::not_fn(cores::has_stream_core)),
              rows.end());
   return rows;
 }
